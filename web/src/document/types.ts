@@ -1,0 +1,65 @@
+// What the user said: everything that a project file holds, and nothing that can be computed from it.
+// Immutable. The JSON of a project file is exactly a ProjectDocument; docs/project-format.md explains each field.
+
+export type Vec3 = readonly [number, number, number];
+
+/** An axis of the model file. */
+export type Axis = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
+
+export interface MeshRef {
+  /** Path of the model, relative to the project file. */
+  readonly file: string;
+  /** Which way the model looks, in the file's own axes. Default "+z". */
+  readonly facing: Axis;
+  /** Which way is up, in the file's own axes. Default "+y". */
+  readonly up: Axis;
+}
+
+export interface MotionRef {
+  /** One .bvh, or one .asf and one .amc; relative to the project file. */
+  readonly files: readonly string[];
+}
+
+/** A control point: a place on the model and the joint that it follows. */
+export interface Point {
+  readonly id: string;
+  readonly name: string;
+  /** On the rest surface, in the model file's own units and axes; the nearest vertex is used. */
+  readonly position: Vec3;
+  /** Name of the joint that drives it; null: it follows the whole pose. */
+  readonly joint: string | null;
+  /** Geodesic radius of its disc in model heights; default 0.05. */
+  readonly radius?: number;
+}
+
+/** "When the human does this, my model does that." */
+export interface Example {
+  readonly id: string;
+  /** Where it came from: a motion file's name and a frame at 30 fps. Only for showing it on the timeline. */
+  readonly source: { readonly motion: string; readonly frame: number };
+  /** Body-local joint positions in metres, by joint name: all joints of the skeleton it was made on. */
+  readonly joints: Readonly<Record<string, Vec3>>;
+  /** Positions of the points by id, in the model file's own units and axes. A point that is missing keeps its rest position. */
+  readonly points: Readonly<Record<string, Vec3>>;
+}
+
+export interface Settings {
+  /** lambda_v: 0 flat, 1 natural, 3 juicy. */
+  readonly volume: number;
+  /** lambda_A at 30 fps: 0 snappy, 1 floaty; default 0.3. */
+  readonly smoothness: number;
+  /** Feet do not slide. */
+  readonly groundContact: boolean;
+  /** Root motion in the plane is left out. */
+  readonly inPlace: boolean;
+}
+
+export interface ProjectDocument {
+  readonly version: 1;
+  readonly name: string;
+  readonly mesh: MeshRef;
+  readonly motion: MotionRef;
+  readonly points: readonly Point[];
+  readonly examples: readonly Example[];
+  readonly settings: Settings;
+}

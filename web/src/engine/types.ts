@@ -1,0 +1,138 @@
+// The engine's public face: plain values in, plain values out. No DOM, no three.js.
+// Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
+// Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
+
+export const FPS = 30;
+
+export interface MeshInput {
+  /** V x 3, stage. */
+  positions: Float32Array;
+  /** F x 3. */
+  faces: Uint32Array;
+}
+
+export interface MeshReport {
+  vertices: number;
+  faces: number;
+  /** Volume in cubic metres; null for an open surface. */
+  volume: number | null;
+  boundaryEdges: number;
+  nonManifoldEdges: number;
+  shells: number;
+  /** Vertices that no face uses. */
+  isolatedVertices: number;
+  degenerateFaces: number;
+}
+
+export interface ControlInput {
+  vertex: number;
+  /** Geodesic radius of the disc, metres. */
+  radius: number;
+}
+
+export type MotionInput =
+  | { format: "bvh"; name: string; text: string }
+  | { format: "acclaim"; skeletonName: string; skeleton: string; name: string; text: string };
+
+export interface Joint {
+  name: string;
+  /** -1 for the root. */
+  parent: number;
+}
+
+/** A clip resampled to 30 fps. */
+export interface Motion {
+  frames: number;
+  joints: Joint[];
+  /** T x J x 3, world metres; the floor under the feet is y = 0. */
+  positions: Float32Array;
+  /** T x J x 3, body-local: root at the origin, yaw removed. */
+  local: Float32Array;
+  /** T, radians about +Y, unwrapped. */
+  yaw: Float32Array;
+  source: { frames: number; fps: number; metresPerUnit: number };
+  /** What the reader worked around, in plain words; usually empty. */
+  notes: string[];
+}
+
+export interface ExampleInput {
+  /** J x 3 body-local metres, in the order of the loaded motion's joints; NaN where the example does not know the joint. */
+  joints: Float32Array;
+  /** C x 3, stage. */
+  controls: Float32Array;
+}
+
+export interface RetargetInput {
+  /** C: joint index that drives each control, or -1 (it follows the whole pose). */
+  pairs: Int32Array;
+  examples: ExampleInput[];
+  /** lambda_A at 30 fps. */
+  smoothness: number;
+  /** lambda_v. */
+  volume: number;
+  groundContact: boolean;
+  inPlace: boolean;
+}
+
+/** How the model's points move; vertices follow by frame(). */
+export interface Performance {
+  frames: number;
+  /** T x C x 3, body-local stage metres: the deformer's targets. */
+  controls: Float32Array;
+  /** T x C, 1 while the control stands on the ground. */
+  contacts: Uint8Array;
+  /** Half-open supported-to-supported frame pairs [a, b]. */
+  flights: [number, number][];
+  /** T, radians put back after deforming. */
+  yaw: Float32Array;
+  /** T x 2, x and z of the model's origin, metres. */
+  travel: Float32Array;
+  /** Mean horizontal speed of standing controls, metres per second, before and after the foot lock. */
+  slip: { before: number; after: number };
+  milliseconds: number;
+}
+
+/** One deformed frame. */
+export interface Frame {
+  /** V x 3. Retargeted frames: world metres, on the ground. Dragged frames: body-local. The receiver owns it. */
+  positions: Float32Array;
+  /** Volume over rest volume; null for an open surface. */
+  volumeRatio: number | null;
+  /** World: x, y, z of the model's origin and yaw; zeros for a dragged frame. */
+  root: [number, number, number, number];
+  milliseconds: number;
+}
+
+export type EngineErrorCode =
+  | "bad_mesh" | "bad_motion" | "bad_controls" | "bad_examples" | "cancelled" | "superseded" | "engine_lost" | "out_of_memory";
+
+/** Every promise of the engine rejects with this and nothing else. `message` is made to be shown. */
+export class EngineError extends Error {
+  constructor(readonly code: EngineErrorCode, message: string) {
+    super(message);
+    this.name = "EngineError";
+  }
+}
+
+export interface CallOptions {
+  signal?: AbortSignal;
+  /** 0..1 */
+  onProgress?: (done: number) => void;
+}
+
+export interface Engine {
+  /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
+  setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport>;
+  /** Binds controls on the present mesh (ordering, factorisation). */
+  setControls(controls: ControlInput[], options?: CallOptions): Promise<void>;
+  /** Reads a motion; on failure (bad_motion) the previous one stays. */
+  setMotion(motion: MotionInput, options?: CallOptions): Promise<Motion>;
+  /** Deforms towards C x 3 body-local targets from where the last drag left the surface. One slot: a newer drag rejects the older with "superseded". */
+  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<Frame>;
+  /** Solves the whole clip for the present mesh, controls and motion. */
+  retarget(input: RetargetInput, options?: CallOptions): Promise<Performance>;
+  /** Deforms frames of the last performance, in the order asked for, as each is ready. Depends on nothing but the inputs. */
+  frames(order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions): Promise<void>;
+  /** Ends the worker; every pending call rejects with engine_lost. */
+  close(): void;
+}

@@ -1,0 +1,86 @@
+// What the viewport draws and what it reports. It never solves.
+
+/** A model as drawn: render vertices keep seams, normals and colours; each knows its solver vertex. */
+export interface DrawnModel {
+  /** R x 3, rest, stage metres. */
+  positions: Float32Array;
+  /** Triangles over render vertices. */
+  index: Uint32Array;
+  /** R: solver vertex (0..V-1) of each render vertex. */
+  toVertex: Uint32Array;
+  /** F x 3 over solver vertices, for picking and smooth normals. */
+  faces: Uint32Array;
+  /** R x 3 linear RGB, or null for clay. */
+  colors: Float32Array | null;
+  /** R x 2, or null. */
+  uvs: Float32Array | null;
+  /** Base colour picture, or null. */
+  texture: ImageBitmap | null;
+}
+
+export interface DrawnHuman {
+  names: string[];
+  parents: Int32Array;
+}
+
+/** A numbered mark on the model and, if paired, on the human. */
+export interface Dot {
+  id: string;
+  /** From 1; colour follows from it. */
+  number: number;
+  name: string;
+  /** Solver vertex. */
+  vertex: number;
+  /** Joint, or -1 while unpaired. */
+  joint: number;
+}
+
+export type ViewMode =
+  | "pose" /** dots on the model drag */
+  | "points"; /** pair lines show; a click on the mesh or on a joint picks it */
+
+export interface ViewportEvents {
+  /** The pointer took a dot of the model. */
+  "dot-grab": { id: string };
+  /** World position that the hand asks for. */
+  "dot-move": { id: string; position: [number, number, number] };
+  "dot-drop": { id: string };
+  /** Esc or a lost pointer: put it back. */
+  "dot-cancel": { id: string };
+  /** A click without a drag on a dot, on the model or on the human. */
+  "dot-pick": { id: string; on: "model" | "human" };
+  "surface-pick": { vertex: number };
+  "joint-pick": { joint: number };
+  /** A click on nothing. */
+  "empty-pick": Record<string, never>;
+  "context-lost": Record<string, never>;
+  "context-restored": Record<string, never>;
+}
+
+export interface Insets { left: number; top: number; right: number; bottom: number }
+
+export interface ViewportApi {
+  on<K extends keyof ViewportEvents>(name: K, listener: (detail: ViewportEvents[K]) => void): () => void;
+  setModel(model: DrawnModel | null): void;
+  /** V x 3 world; drawn at the next animation frame. */
+  setVertices(positions: Float32Array): void;
+  setHuman(human: DrawnHuman | null): void;
+  /** J x 3 world metres. */
+  setHumanPose(positions: Float32Array): void;
+  setDots(dots: readonly Dot[], selected: string | null): void;
+  setMode(mode: ViewMode): void;
+  /** Dashed ghost of a shape behind the model (V x 3 world), or null. */
+  setGhost(positions: Float32Array | null): void;
+  /** The pair line that follows the pointer from this dot or joint, or null. */
+  setLivePair(from: { id: string } | { joint: number } | null): void;
+  /** Where cards float over the stage, in CSS pixels; figures are framed in what is left. */
+  setInsets(insets: Insets): void;
+  /** "side": human left, model right; "overlay": on the same spot. */
+  setLayout(layout: "side" | "overlay"): void;
+  fit(): void;
+  /** Small picture of a pose for the timeline (V x 3 local or world), as a data URL. */
+  thumbnail(positions: Float32Array, size: number): string;
+  /** Re-reads colours after a theme change. */
+  refreshTheme(): void;
+  dispose(): void;
+}
