@@ -1,0 +1,16 @@
+import { defineConfig } from "vite";
+
+export default defineConfig({
+  base: "./",
+  publicDir: false,
+  assetsInclude: ["**/*.glb", "**/*.bvh", "**/*.asf", "**/*.amc"],
+  build: {
+    target: "es2022",
+    outDir: "dist",
+    assetsInlineLimit: 0, // data: addresses would need a weaker content-security-policy
+    chunkSizeWarningLimit: 1000,
+  },
+  worker: { format: "es" },
+  server: { port: 5173, strictPort: true },
+  preview: { port: 5173, strictPort: true },
+});
