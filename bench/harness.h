@@ -1,5 +1,5 @@
 // Times a call: a few runs to warm up, then the median and the 95th percentile of many, and what it allocates.
-// Include it in one source file only: it replaces operator new to count.
+// Include it in one source file only: it replaces malloc to count.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -62,11 +61,9 @@ class Bench {
 
 }  // namespace rigless_bench
 
-void* operator new(std::size_t size) {
+// glibc lets a program define malloc itself; Eigen's memory and operator new both come through here.
+extern "C" void* __libc_malloc(std::size_t size) noexcept;
+extern "C" void* malloc(std::size_t size) noexcept {
   ++rigless_bench::allocations;
-  void* memory = std::malloc(size == 0 ? 1 : size);
-  if (memory == nullptr) std::abort();
-  return memory;
+  return __libc_malloc(size);
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
