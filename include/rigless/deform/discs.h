@@ -1,0 +1,101 @@
+// Control points as discs: a control holds not one vertex but the vertices around it, as a rigid piece that turns with
+// its surroundings. A single held vertex pulls a needle out of the surface; a disc pulls a body.
+#pragma once
+
+#include "rigless/deform/cells.h"
+#include "rigless/mesh/geodesic.h"
+
+namespace rigless {
+
+// Where a control sits and how far its disc reaches along the surface; radius 0 holds the vertex alone.
+template <class S>
+struct Handle {
+  std::int32_t vertex = -1;
+  S radius = S(0);
+};
+
+// The vertices that controls hold. A vertex belongs to the nearest control; a control's own vertex always to itself, or
+// to the first of those that share it.
+struct Discs {
+  std::vector<std::int32_t> owner;   // V: control, or -1 where the surface is free
+  std::vector<std::int32_t> center;  // C: vertex
+  std::vector<std::int32_t> first;   // C + 1: into member
+  std::vector<std::int32_t> member;  // vertices, control by control
+
+  bool holds(std::size_t vertex) const { return owner[vertex] >= 0; }
+  std::size_t size() const { return center.size(); }
+};
+
+// Grows the discs. Allocates. Errors: no_controls; index_out_of_range (where: control).
+template <class S>
+Status make_discs(const Cells<S>& cells, Span<const Handle<S>> handles, Discs& out) {
+  if (handles.empty()) return {Error::no_controls, -1};
+  for (std::size_t c = 0; c < handles.size(); ++c) {
+    if (handles[c].vertex < 0 || static_cast<std::size_t>(handles[c].vertex) >= cells.size()) {
+      return {Error::index_out_of_range, static_cast<std::int32_t>(c)};
+    }
+  }
+  Discs discs;
+  discs.owner.assign(cells.size(), -1);
+  std::vector<S> distance(cells.size(), std::numeric_limits<S>::max());
+  for (std::size_t c = 0; c < handles.size(); ++c) {
+    discs.center.push_back(handles[c].vertex);
+    for (const auto& [vertex, d] : vertices_within<S>(cells.rest, cells.ring, handles[c].vertex, handles[c].radius)) {
+      const auto v = static_cast<std::size_t>(vertex);
+      if (d >= distance[v]) continue;
+      distance[v] = d;
+      discs.owner[v] = static_cast<std::int32_t>(c);
+    }
+  }
+  discs.first.assign(handles.size() + 1, 0);
+  for (std::int32_t c : discs.owner) {
+    if (c >= 0) discs.first[static_cast<std::size_t>(c) + 1]++;
+  }
+  for (std::size_t c = 0; c < handles.size(); ++c) discs.first[c + 1] += discs.first[c];
+  discs.member.resize(static_cast<std::size_t>(discs.first.back()));
+  std::vector<std::int32_t> next = discs.first;
+  for (std::size_t v = 0; v < cells.size(); ++v) {
+    if (discs.owner[v] < 0) continue;
+    discs.member[static_cast<std::size_t>(next[static_cast<std::size_t>(discs.owner[v])]++)] =
+        static_cast<std::int32_t>(v);
+  }
+  out = std::move(discs);
+  return {};
+}
+
+// The rotation of disc c about its control that best agrees with the cells: an exact block step, so the energy never
+// rises. `transform` holds s_i R_i of every cell. No allocation.
+// The covariance collects sum_k p_k q_k^T over the edges k -> j of the disc's vertices, p from the control at rest:
+// to a free j, both directed copies ask Q p_k = x_j - t + M e_kj; inside the disc, each asks Q e_kl = M_k e_kl.
+template <class S>
+Mat3<S> fit_disc(const Cells<S>& cells, const Discs& discs, std::size_t c, Span<const Mat3<S>> transform,
+                 Span<const Vec3<S>> surface, const Vec3<S>& target) {
+  const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
+  Mat3<S> C = Mat3<S>::Zero();
+  for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
+    const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
+    const Vec3<S> p = cells.rest[k] - center;
+    for_each_edge(cells, k, [&](S w, const Vec3<S>& e, std::size_t j) {
+      if (discs.owner[j] == static_cast<std::int32_t>(c)) {
+        C.noalias() += (w * e) * (transform[k] * e).transpose();
+      } else {
+        const Vec3<S> q = S(2) * (surface[j] - target) + (transform[k] + transform[j]) * e;
+        C.noalias() += (w * p) * q.transpose();
+      }
+    });
+  }
+  return nearest_rotation(C);
+}
+
+// Puts the vertices of disc c where a rigid piece with rotation Q about the target has them. No allocation.
+template <class S>
+void place_disc(const Cells<S>& cells, const Discs& discs, std::size_t c, const Mat3<S>& Q, const Vec3<S>& target,
+                Span<Vec3<S>> surface) {
+  const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
+  for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
+    const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
+    surface[k] = target + Q * (cells.rest[k] - center);
+  }
+}
+
+}  // namespace rigless
