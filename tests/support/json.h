@@ -41,7 +41,9 @@ class Value {
   }
 
   // Nested arrays as the types the library takes.
-  std::vector<double> numbers() const { return each<double>([](const Value& v) { return v.number(); }); }
+  std::vector<double> numbers() const {
+    return each<double>([](const Value& v) { return v.number(); });
+  }
   std::vector<std::int32_t> integers() const {
     return each<std::int32_t>([](const Value& v) { return v.integer(); });
   }
