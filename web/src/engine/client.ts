@@ -1,0 +1,132 @@
+// The page's side of the port: every call a promise, every failure an EngineError.
+
+import type { CallName, Calls, Reply, Request } from "./protocol";
+import { EngineError } from "./types";
+import type {
+  CallOptions, ControlInput, Engine, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
+} from "./types";
+
+/** A Worker, or what stands for one in Node. */
+export interface WorkerPort {
+  postMessage(message: Request, transfer: Transferable[]): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
+}
+
+interface Pending {
+  resolve(value: unknown): void;
+  reject(error: EngineError): void;
+  onProgress?: ((done: number) => void) | undefined;
+  onFrame?: ((frame: number, result: Frame) => void) | undefined;
+}
+
+export class EngineClient implements Engine {
+  #port: WorkerPort;
+  #pending = new Map<number, Pending>();
+  #lastId = 0;
+  #lost: EngineError | null = null;
+
+  /** `wasm`: the bytes of rigless.wasm; taken over. */
+  constructor(port: WorkerPort, wasm: ArrayBuffer | Promise<ArrayBuffer>) {
+    this.#port = port;
+    port.onmessage = (event) => this.#hear(event.data);
+    port.onerror = (event) => this.#lose(`The engine stopped: ${event.message || "its worker could not run"}.`);
+    port.onmessageerror = () => this.#lose("The engine stopped: its answer could not be read.");
+    Promise.resolve(wasm).then(
+      (bytes) => this.#post({ type: "load", bytes }, [bytes]),
+      (error: unknown) => this.#lose(`The engine could not be loaded: ${String(error)}.`),
+    );
+  }
+
+  setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport> {
+    return this.#call("setMesh", mesh, options);
+  }
+
+  setControls(controls: ControlInput[], options?: CallOptions): Promise<void> {
+    return this.#call("setControls", controls, options);
+  }
+
+  setMotion(motion: MotionInput, options?: CallOptions): Promise<Motion> {
+    return this.#call("setMotion", motion, options);
+  }
+
+  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<Frame> {
+    return this.#call("drag", { targets, volume: options.volume, restart: options.restart ?? false });
+  }
+
+  retarget(input: RetargetInput, options?: CallOptions): Promise<Performance> {
+    return this.#call("retarget", input, options);
+  }
+
+  frames(
+    order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions,
+  ): Promise<void> {
+    const hear = (frame: number, result: Frame) => {
+      if (!options?.signal?.aborted) onFrame(frame, result);
+    };
+    return this.#call("frames", Uint32Array.from(order), options, hear);
+  }
+
+  close(): void {
+    this.#lose("The engine was closed.");
+  }
+
+  #call<K extends CallName>(
+    type: K, input: Calls[K]["input"], options?: CallOptions, onFrame?: Pending["onFrame"],
+  ): Promise<Calls[K]["output"]> {
+    const signal = options?.signal;
+    if (this.#lost) return Promise.reject(this.#lost);
+    if (signal?.aborted) return Promise.reject(new EngineError("cancelled", "Cancelled."));
+    const id = ++this.#lastId;
+    const cancel = () => this.#post({ type: "cancel", id });
+    return new Promise<Calls[K]["output"]>((resolve, reject) => {
+      this.#pending.set(id, {
+        resolve: (value) => resolve(value as Calls[K]["output"]),
+        reject,
+        onProgress: options?.onProgress,
+        onFrame,
+      });
+      signal?.addEventListener("abort", cancel, { once: true });
+      this.#post({ type, id, input } as Request);
+    }).finally(() => signal?.removeEventListener("abort", cancel));
+  }
+
+  #hear(reply: Reply): void {
+    if (reply.type === "lost") {
+      this.#lose(`The engine stopped: ${reply.message}.`);
+      return;
+    }
+    const call = this.#pending.get(reply.id);
+    if (!call) return;
+    switch (reply.type) {
+      case "progress":
+        call.onProgress?.(reply.done);
+        return;
+      case "frame":
+        call.onFrame?.(reply.frame, reply.result);
+        return;
+      case "done":
+        this.#pending.delete(reply.id);
+        call.resolve(reply.value);
+        return;
+      case "failed":
+        this.#pending.delete(reply.id);
+        call.reject(new EngineError(reply.code, reply.message));
+    }
+  }
+
+  /** Nothing more will come: every pending call, and every later one, rejects. */
+  #lose(message: string): void {
+    if (this.#lost) return;
+    this.#lost = new EngineError("engine_lost", message);
+    this.#port.terminate();
+    for (const call of this.#pending.values()) call.reject(this.#lost);
+    this.#pending.clear();
+  }
+
+  #post(message: Request, transfer: Transferable[] = []): void {
+    if (!this.#lost) this.#port.postMessage(message, transfer);
+  }
+}

@@ -1,0 +1,263 @@
+// The core as the server uses it. The only file that sees pointers: it makes a view, uses it and drops it,
+// because a view dies when the heap grows.
+
+import { engineError, outOfMemory } from "./messages";
+import type { Subject } from "./messages";
+import type { DragInput } from "./protocol";
+import { EngineError } from "./types";
+import type {
+  ControlInput, Frame, Joint, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
+} from "./types";
+import type { Handle, PackedStatus, RiglessExports } from "./wasm";
+
+type Lendable = Float32Array | Int32Array | Uint32Array | Uint8Array;
+
+const OUT_DOUBLES = 8;
+
+export class Core {
+  #wasm: RiglessExports;
+  /** Scratch for what the core answers in a handful of doubles. */
+  #out: number;
+  #body: Handle;
+  #motion: Handle = 0;
+  #performance: Handle = 0;
+  #vertices = 0;
+  #controls = 0;
+  /** Drags and frames deform the same surface: after frames, a drag begins at rest. */
+  #dragging = false;
+
+  constructor(wasm: RiglessExports) {
+    this.#wasm = wasm;
+    this.#out = wasm.alloc(8 * OUT_DOUBLES);
+    this.#body = wasm.body_new();
+  }
+
+  setMesh(mesh: MeshInput): MeshReport {
+    const { positions, faces } = mesh;
+    if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
+      throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
+    }
+    this.#lend([positions, faces], ([at = 0, facesAt = 0]) => {
+      this.#check(
+        this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
+    });
+    this.#forgetPerformance();
+    this.#controls = 0;
+    this.#vertices = positions.length / 3;
+    this.#wasm.body_report(this.#body, this.#out);
+    const [volume = NaN, ...counts] = this.#doubles(7);
+    const [boundaryEdges = 0, nonManifoldEdges = 0, shells = 0, isolatedVertices = 0, degenerateFaces = 0] = counts;
+    return {
+      vertices: this.#vertices,
+      faces: faces.length / 3,
+      volume: Number.isNaN(volume) ? null : volume,
+      boundaryEdges, nonManifoldEdges, shells, isolatedVertices, degenerateFaces,
+    };
+  }
+
+  setControls(controls: ControlInput[]): void {
+    if (this.#vertices === 0) throw new EngineError("bad_controls", "There is no model to place controls on yet.");
+    const vertices = Int32Array.from(controls, (control) => control.vertex);
+    const radii = Float32Array.from(controls, (control) => control.radius);
+    this.#lend([vertices, radii], ([at = 0, radiiAt = 0]) => {
+      this.#check(this.#wasm.body_set_controls(this.#body, at, radiiAt, controls.length), { kind: "controls" });
+    });
+    this.#forgetPerformance();
+    this.#controls = controls.length;
+  }
+
+  setMotion(input: MotionInput): Motion {
+    const motion = this.#wasm.motion_new();
+    try {
+      if (input.format === "bvh") {
+        this.#read("bvh", motion, input.name, input.text);
+      } else {
+        this.#read("asf", motion, input.skeletonName, input.skeleton);
+        this.#read("amc", motion, input.name, input.text);
+      }
+    } catch (error) {
+      this.#wasm.motion_delete(motion);
+      throw error;
+    }
+    if (this.#motion) this.#wasm.motion_delete(this.#motion);
+    this.#motion = motion;
+    return this.#describeMotion(motion);
+  }
+
+  drag({ targets, volume, restart }: DragInput): Frame {
+    const begin = now();
+    this.#needControls();
+    this.#lend([targets], ([at = 0]) => {
+      const fresh = restart || !this.#dragging;
+      this.#check(
+        this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(fresh)), { kind: "controls" });
+    });
+    this.#dragging = true;
+    return {
+      positions: this.#floats(this.#wasm.body_positions(this.#body), 3 * this.#vertices),
+      volumeRatio: ratio(this.#wasm.body_volume_ratio(this.#body)),
+      root: [0, 0, 0, 0],
+      milliseconds: now() - begin,
+    };
+  }
+
+  *retarget(input: RetargetInput): Generator<number, Performance> {
+    let begin = now();
+    let milliseconds = 0;
+    const next = this.#wasm.performance_new();
+    let finished = false;
+    try {
+      this.#beginRetarget(next, input);
+      for (let done = 0; done < 1; done = this.#wasm.performance_progress(next)) {
+        milliseconds += now() - begin;
+        yield done;
+        begin = now();
+        this.#check(this.#wasm.performance_advance(next), { kind: "retarget" });
+      }
+      finished = true;
+    } finally {
+      if (!finished) this.#wasm.performance_delete(next);
+    }
+    this.#forgetPerformance();
+    this.#performance = next;
+    return this.#describePerformance(next, milliseconds + now() - begin);
+  }
+
+  *frames(order: Uint32Array, emit: (frame: number, result: Frame) => void): Generator<number, void> {
+    let made = 0;
+    for (const frame of order) {
+      if (!this.#performance) throw new EngineError("bad_examples", "There is no retargeted motion for these controls yet.");
+      const begin = now();
+      this.#dragging = false;
+      this.#check(this.#wasm.performance_bake(this.#performance, frame), { kind: "frames" });
+      this.#wasm.performance_root(this.#performance, this.#out);
+      const [x = 0, y = 0, z = 0, yaw = 0, volume = NaN] = this.#doubles(5);
+      const positions = this.#floats(this.#wasm.performance_positions(this.#performance), 3 * this.#vertices);
+      emit(frame, { positions, volumeRatio: ratio(volume), root: [x, y, z, yaw], milliseconds: now() - begin });
+      yield ++made / order.length;
+    }
+  }
+
+  #read(kind: "bvh" | "asf" | "amc", motion: Handle, name: string, text: string): void {
+    const read = { bvh: this.#wasm.motion_read_bvh, asf: this.#wasm.motion_read_asf, amc: this.#wasm.motion_read_amc };
+    const bytes = new TextEncoder().encode(text);
+    this.#lend([bytes], ([at = 0]) => this.#check(read[kind](motion, at, bytes.length), { kind, name }));
+  }
+
+  #beginRetarget(next: Handle, input: RetargetInput): void {
+    this.#needControls();
+    if (!this.#motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
+    this.#wasm.motion_info(this.#motion, this.#out);
+    const [, joints = 0] = this.#doubles(2);
+    const { examples, pairs } = input;
+    if (pairs.length !== this.#controls) {
+      throw new EngineError("bad_controls", "Every control of the model needs one entry in the pairs.");
+    }
+    if (examples.some((e) => e.joints.length !== 3 * joints || e.controls.length !== 3 * this.#controls)) {
+      throw new EngineError(
+        "bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
+    }
+    const exampleJoints = joined(examples.map((example) => example.joints));
+    const exampleControls = joined(examples.map((example) => example.controls));
+    this.#lend([pairs, exampleJoints, exampleControls], ([pairsAt = 0, jointsAt = 0, controlsAt = 0]) => {
+      this.#check(
+        this.#wasm.performance_begin(
+          next, this.#body, this.#motion, pairsAt, this.#controls, jointsAt, controlsAt, examples.length,
+          input.smoothness, input.volume, Number(input.groundContact), Number(input.inPlace)),
+        { kind: "retarget" });
+    });
+  }
+
+  #describeMotion(motion: Handle): Motion {
+    const wasm = this.#wasm;
+    wasm.motion_info(motion, this.#out);
+    const [frames = 0, count = 0, sourceFrames = 0, fps = 0, metresPerUnit = 0] = this.#doubles(5);
+    const parents = new Int32Array(wasm.memory.buffer, wasm.motion_parents(motion), count).slice();
+    const joints = Array.from(parents, (parent, joint): Joint => {
+      const at = wasm.motion_name(motion, joint);
+      const bytes = new Uint8Array(wasm.memory.buffer, at, wasm.motion_name_bytes(motion, joint));
+      return { name: new TextDecoder().decode(bytes), parent };
+    });
+    return {
+      frames, joints,
+      positions: this.#floats(wasm.motion_positions(motion), 3 * frames * count),
+      local: this.#floats(wasm.motion_local(motion), 3 * frames * count),
+      yaw: this.#floats(wasm.motion_yaw(motion), frames),
+      source: { frames: sourceFrames, fps, metresPerUnit },
+      notes: [],
+    };
+  }
+
+  #describePerformance(performance: Handle, milliseconds: number): Performance {
+    const wasm = this.#wasm;
+    wasm.performance_info(performance, this.#out);
+    const [frames = 0, controls = 0, flightCount = 0, before = 0, after = 0] = this.#doubles(5);
+    const flightsAt = wasm.performance_flights(performance);
+    const ends = new Int32Array(wasm.memory.buffer, flightsAt, 2 * flightCount).slice();
+    const flights = Array.from({ length: flightCount }, (_, i): [number, number] => [ends[2 * i] ?? 0, ends[2 * i + 1] ?? 0]);
+    return {
+      frames,
+      controls: this.#floats(wasm.performance_controls(performance), 3 * frames * controls),
+      contacts: new Uint8Array(wasm.memory.buffer, wasm.performance_contacts(performance), frames * controls).slice(),
+      flights,
+      yaw: this.#floats(wasm.performance_yaw(performance), frames),
+      travel: this.#floats(wasm.performance_travel(performance), 2 * frames),
+      slip: { before, after },
+      milliseconds,
+    };
+  }
+
+  #needControls(): void {
+    if (this.#vertices === 0) throw new EngineError("bad_mesh", "There is no model yet. Choose one.");
+    if (this.#controls === 0) throw new EngineError("bad_controls", "The model has no controls yet. Place at least one.");
+  }
+
+  #forgetPerformance(): void {
+    if (this.#performance) this.#wasm.performance_delete(this.#performance);
+    this.#performance = 0;
+    this.#dragging = false;
+  }
+
+  #check(packed: PackedStatus, subject: Subject): void {
+    if (packed !== 0) throw engineError(packed, subject);
+  }
+
+  /** Copies arrays into the heap for the time of one call. */
+  #lend<T>(arrays: Lendable[], use: (pointers: number[]) => T): T {
+    const pointers: number[] = [];
+    try {
+      for (const array of arrays) {
+        const at = this.#wasm.alloc(Math.max(array.byteLength, 1));
+        if (at === 0) throw outOfMemory();
+        pointers.push(at);
+        const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+        new Uint8Array(this.#wasm.memory.buffer, at, array.byteLength).set(bytes);
+      }
+      return use(pointers);
+    } finally {
+      for (const at of pointers) this.#wasm.free(at);
+    }
+  }
+
+  #floats(at: number, length: number): Float32Array {
+    return new Float32Array(this.#wasm.memory.buffer, at, length).slice();
+  }
+
+  #doubles(length: number): number[] {
+    return Array.from(new Float64Array(this.#wasm.memory.buffer, this.#out, length));
+  }
+}
+
+const now = () => performance.now();
+
+const ratio = (value: number) => (Number.isNaN(value) ? null : value);
+
+function joined(arrays: Float32Array[]): Float32Array {
+  const all = new Float32Array(arrays.reduce((sum, array) => sum + array.length, 0));
+  let at = 0;
+  for (const array of arrays) {
+    all.set(array, at);
+    at += array.length;
+  }
+  return all;
+}

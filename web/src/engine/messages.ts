@@ -1,0 +1,148 @@
+// Turns what the core says in numbers (math/status.h) into sentences for the person who chose the file:
+// what happened, where, and what to do.
+
+import { EngineError } from "./types";
+import type { EngineErrorCode } from "./types";
+import type { PackedStatus } from "./wasm";
+
+/** In the order of rigless::Error. */
+export const CORE_ERRORS = [
+  "none",
+  "empty_input", "not_this_format", "unexpected_end", "bad_number", "bad_syntax", "unknown_joint", "duplicate_joint",
+  "unsupported", "no_frames",
+  "no_faces", "index_out_of_range", "not_finite",
+  "no_controls", "factorization_failed", "size_mismatch", "no_examples", "infeasible", "out_of_memory",
+] as const;
+
+export type CoreError = (typeof CORE_ERRORS)[number];
+
+/** What the engine was asked to take in when the core refused. */
+export type Subject =
+  | { kind: "bvh" | "asf" | "amc"; name: string }
+  | { kind: "mesh" }
+  | { kind: "controls" }
+  | { kind: "retarget" }
+  | { kind: "frames" };
+
+export function unpackStatus(packed: PackedStatus): { error: CoreError; where: number } {
+  const error = Math.floor(packed / 2 ** 32);
+  return { error: CORE_ERRORS[error] ?? "factorization_failed", where: (packed - error * 2 ** 32) | 0 };
+}
+
+export function engineError(packed: PackedStatus, subject: Subject): EngineError {
+  const { error, where } = unpackStatus(packed);
+  if (error === "out_of_memory") return outOfMemory();
+  switch (subject.kind) {
+    case "mesh":
+      return new EngineError("bad_mesh", meshMessage(error, where));
+    case "controls":
+      return new EngineError("bad_controls", controlsMessage(error, where));
+    case "retarget":
+      return retargetError(error, where);
+    case "frames":
+      return new EngineError("bad_examples", `Frame ${count(where + 1)} is not in this motion.`);
+    default:
+      return new EngineError("bad_motion", motionMessage(error, where, subject.kind, subject.name));
+  }
+}
+
+export function outOfMemory(): EngineError {
+  return new EngineError("out_of_memory", "There is not enough memory for this. A model with fewer triangles would fit.");
+}
+
+const count = (n: number) => n.toLocaleString("en-US");
+
+const FORMATS = {
+  bvh: "a BVH motion: it does not begin with HIERARCHY",
+  asf: "an ASF skeleton: it has no :root or :bonedata",
+  amc: "an AMC motion: it has no numbered frames",
+};
+
+function motionMessage(error: CoreError, where: number, kind: "bvh" | "asf" | "amc", name: string): string {
+  const at = where > 0 ? `${name}, line ${count(where)}` : name;
+  const stops = where > 0 ? `${name} stops in line ${count(where)}` : `${name} stops too early`;
+  const inside = kind === "amc" ? "a frame" : kind === "asf" ? "the skeleton" : "a joint or a frame";
+  switch (error) {
+    case "empty_input":
+      return `${name} is empty. Choose a file with a motion in it.`;
+    case "not_this_format":
+      return `${name} is not ${FORMATS[kind]}. Choose a .bvh file, or an .asf file together with its .amc file.`;
+    case "unexpected_end":
+      return `${stops}: the file ends inside ${inside}. It may be cut off; download or export it again.`;
+    case "bad_number":
+      return `${at}: a number is missing or cannot be read. Correct this line, or export the file again.`;
+    case "bad_syntax":
+      return `${at}: this line is not what the format asks for here. Correct it, or export the file again.`;
+    case "unknown_joint":
+      return kind === "amc"
+        ? `${at}: this bone is not in the skeleton. Choose the .asf file that belongs to this motion.`
+        : `${at}: this joint was never declared. Export the file again.`;
+    case "duplicate_joint":
+      return `${at}: this joint's name is used twice. Give one of the two another name.`;
+    case "unsupported":
+      return `${at}: this is valid but cannot be used here. Export the motion as plain BVH.`;
+    case "no_frames":
+      return `${name} has no whole frame of motion in it. Choose a file that holds a motion, not only a pose.`;
+    case "not_finite":
+      return `${at}: a number is infinite or not a number. Correct this line, or export the file again.`;
+    default:
+      return `${at}: the motion could not be read (${error.replaceAll("_", " ")}).`;
+  }
+}
+
+function meshMessage(error: CoreError, where: number): string {
+  switch (error) {
+    case "empty_input":
+    case "no_faces":
+      return "The model has no triangles. Choose a file that holds a surface.";
+    case "index_out_of_range":
+      return `Triangle ${count(where + 1)} of the model uses a point that does not exist. Export the model again.`;
+    case "not_finite":
+      return `Point ${count(where + 1)} of the model has no position (not a number). Export the model again.`;
+    case "factorization_failed":
+      return "The model's triangles cannot be computed with. Export the model again, or repair it in a modelling program.";
+    default:
+      return `The model could not be used (${error.replaceAll("_", " ")}).`;
+  }
+}
+
+function controlsMessage(error: CoreError, where: number): string {
+  switch (error) {
+    case "no_controls":
+      return where >= 0
+        ? `Nothing holds the piece of the model around point ${count(where + 1)}. Place a control on it.`
+        : "Nothing holds the model yet. Place a control on it.";
+    case "index_out_of_range":
+      return `Control ${count(where + 1)} is not on the model. Place it again.`;
+    case "not_finite":
+      return `Control ${count(where + 1)} has no position (not a number).`;
+    case "factorization_failed":
+      return "These controls do not hold the model. Move one of them to another place.";
+    case "size_mismatch":
+      return "The number of positions is not the number of controls.";
+    default:
+      return `The controls could not be used (${error.replaceAll("_", " ")}).`;
+  }
+}
+
+function retargetError(error: CoreError, where: number): EngineError {
+  const make = (code: EngineErrorCode, message: string) => new EngineError(code, message);
+  switch (error) {
+    case "no_controls":
+      return make("bad_controls", "The model has no controls yet. Place at least one.");
+    case "index_out_of_range":
+      return make("bad_controls", `Control ${count(where + 1)} follows a joint that this motion does not have. Pair it again.`);
+    case "no_frames":
+      return make("bad_motion", "There is no motion yet. Choose one.");
+    case "no_examples":
+      return make("bad_examples", "There is no pose to learn from. Add one.");
+    case "not_finite":
+      return make("bad_examples", `Pose ${count(where + 1)} has no usable positions (not a number). Make it again.`);
+    case "infeasible":
+      return make("bad_examples", "The poses contradict each other. Change or remove one of them.");
+    case "size_mismatch":
+      return make("bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
+    default:
+      return make("bad_examples", "The motion cannot be carried over from these poses. Change or remove one of them.");
+  }
+}

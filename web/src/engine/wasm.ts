@@ -1,0 +1,70 @@
+// Loads the bare rigless.wasm. It needs no script of its own: two imports, one initialiser.
+
+type Pointer = number;
+/** 0: ok; otherwise error * 2^32 + where (math/status.h). */
+export type PackedStatus = number;
+/** Index and generation; 0 is none. */
+export type Handle = number;
+
+/** wasm/rigless.cpp says what each one does. */
+export interface RiglessExports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  alloc(bytes: number): Pointer;
+  free(at: Pointer): void;
+
+  body_new(): Handle;
+  body_delete(body: Handle): void;
+  body_set_mesh(body: Handle, positions: Pointer, vertices: number, faces: Pointer, faceCount: number): PackedStatus;
+  body_report(body: Handle, out: Pointer): void;
+  body_set_controls(body: Handle, vertices: Pointer, radii: Pointer, count: number): PackedStatus;
+  body_drag(body: Handle, targets: Pointer, count: number, volume: number, restart: number): PackedStatus;
+  body_positions(body: Handle): Pointer;
+  body_volume_ratio(body: Handle): number;
+
+  motion_new(): Handle;
+  motion_delete(motion: Handle): void;
+  motion_read_bvh(motion: Handle, text: Pointer, bytes: number): PackedStatus;
+  motion_read_asf(motion: Handle, text: Pointer, bytes: number): PackedStatus;
+  motion_read_amc(motion: Handle, text: Pointer, bytes: number): PackedStatus;
+  motion_info(motion: Handle, out: Pointer): void;
+  motion_name(motion: Handle, joint: number): Pointer;
+  motion_name_bytes(motion: Handle, joint: number): number;
+  motion_parents(motion: Handle): Pointer;
+  motion_positions(motion: Handle): Pointer;
+  motion_local(motion: Handle): Pointer;
+  motion_yaw(motion: Handle): Pointer;
+
+  performance_new(): Handle;
+  performance_delete(performance: Handle): void;
+  performance_begin(
+    performance: Handle, body: Handle, motion: Handle, pairs: Pointer, controls: number,
+    exampleJoints: Pointer, exampleControls: Pointer, examples: number,
+    smoothness: number, volume: number, groundContact: number, inPlace: number,
+  ): PackedStatus;
+  performance_advance(performance: Handle): PackedStatus;
+  performance_progress(performance: Handle): number;
+  performance_info(performance: Handle, out: Pointer): void;
+  performance_controls(performance: Handle): Pointer;
+  performance_contacts(performance: Handle): Pointer;
+  performance_flights(performance: Handle): Pointer;
+  performance_yaw(performance: Handle): Pointer;
+  performance_travel(performance: Handle): Pointer;
+  performance_bake(performance: Handle, frame: number): PackedStatus;
+  performance_positions(performance: Handle): Pointer;
+  performance_root(performance: Handle, out: Pointer): void;
+}
+
+export async function instantiate(bytes: ArrayBuffer): Promise<RiglessExports> {
+  const { instance } = await WebAssembly.instantiate(bytes, {
+    env: { emscripten_notify_memory_growth: () => {} },
+    wasi_snapshot_preview1: {
+      proc_exit: (code: number) => {
+        throw new WebAssembly.RuntimeError(`the core stopped with code ${code}`);
+      },
+    },
+  });
+  const core = instance.exports as unknown as RiglessExports;
+  core._initialize();
+  return core;
+}
