@@ -19,8 +19,8 @@ class Span {
   Span(std::vector<Value>& v) : data_(v.data()), size_(v.size()) {}
   template <class U = T, std::enable_if_t<std::is_const_v<U>, int> = 0>
   Span(const std::vector<Value>& v) : data_(v.data()), size_(v.size()) {}
-  template <class U = T, std::enable_if_t<std::is_const_v<U>, int> = 0>
-  constexpr Span(Span<Value> other) : data_(other.data()), size_(other.size()) {}
+  template <class U, std::enable_if_t<std::is_same_v<const U, T>, int> = 0>
+  constexpr Span(Span<U> other) : data_(other.data()), size_(other.size()) {}
 
   constexpr T* data() const { return data_; }
   constexpr std::size_t size() const { return size_; }

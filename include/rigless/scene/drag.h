@@ -1,0 +1,54 @@
+// The surface under the hand, and the surface of a single pose: what a deformer is asked for outside a performance.
+#pragma once
+
+#include "rigless/deform/deformer.h"
+
+namespace rigless {
+
+// Shape iterations of a frame that begins at rest. The scaled shape state inflates while it converges (any similarity
+// costs nothing), so this number is part of what a frame looks like: one number, for baked frames and for restarts.
+inline constexpr int iterations_from_rest = 20;
+
+// Shape iterations of a drag, which begins at the surface of the drag before it. Source: thesis, section 4.1.
+inline constexpr int iterations_per_drag = 2;
+
+// The surface for these C targets; depends on nothing but them. lambda_v is `volume`. No allocation.
+template <class S>
+void deform_from_rest(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume) {
+  deformer.reset();
+  deformer.set_targets(targets);
+  deformer.step(iterations_from_rest);
+  deformer.pose(volume);
+}
+
+// A row of drags. Keeps the shape between them, so that others may use the deformer meanwhile.
+template <class S>
+class Drag {
+ public:
+  // Begins at rest. Call again after the deformer was bound or got other handles. Allocates.
+  void bind(const Deformer<S>& deformer) {
+    shape_.resize(static_cast<std::size_t>(deformer.vertices()));
+    at_rest_ = true;
+  }
+
+  // Towards C targets from where the last drag left the surface, or from rest; see deformer.positions(). No allocation.
+  void move(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume, bool restart) {
+    if (restart || at_rest_) {
+      deform_from_rest(deformer, targets, volume);
+    } else {
+      deformer.set_shape(shape_);
+      deformer.set_targets(targets);
+      deformer.step(iterations_per_drag);
+      deformer.pose(volume);
+    }
+    const Span<const Vec3<S>> shape = deformer.shape();
+    std::copy(shape.begin(), shape.end(), shape_.begin());
+    at_rest_ = false;
+  }
+
+ private:
+  std::vector<Vec3<S>> shape_;  // V
+  bool at_rest_ = true;
+};
+
+}  // namespace rigless
