@@ -1,0 +1,217 @@
+// A model as every reader returns it, and the one way that its parts become a surface.
+
+import { boundsOf } from "../document/stage";
+import { ModelError } from "./named-file";
+import { weld } from "./weld";
+
+export interface Picture {
+  readonly bytes: Uint8Array;
+  readonly mime: string;
+}
+
+/** What is drawn: render vertices keep seams and colours, each knows its solver vertex. File units and axes. */
+export interface DrawnSource {
+  /** R x 3. */
+  positions: Float32Array;
+  /** F x 3 over render vertices: triangle f is face f. */
+  index: Uint32Array;
+  /** R: solver vertex of each render vertex. */
+  toVertex: Uint32Array;
+  /** R x 3 linear RGB, or null. */
+  colors: Float32Array | null;
+  /** R x 2, v down as in glTF (a texture drawn with flipY off), or null. */
+  uvs: Float32Array | null;
+  texture: Picture | null;
+}
+
+export interface Model {
+  /** File name without folders. */
+  name: string;
+  /** V x 3, file units and axes; every vertex is used by a face. */
+  positions: Float32Array;
+  /** F x 3 over V; no face names a vertex twice, no two faces are the same. */
+  faces: Uint32Array;
+  drawn: DrawnSource;
+  /** What was worked around, in plain words. */
+  notes: string[];
+}
+
+/** Triangles as a file holds them. */
+export interface Part {
+  /** N x 3. */
+  positions: ArrayLike<number>;
+  /** Triangles over N. */
+  index: ArrayLike<number>;
+  /** N x 3 linear RGB, or null. */
+  colors: ArrayLike<number> | null;
+  /** N x 2, v down, or null. */
+  uvs: ArrayLike<number> | null;
+}
+
+/**
+ * Joins parts, welds them by position, drops what is no triangle any more or is there twice, and vertices that no face uses.
+ * Errors (ModelError): no triangles; a coordinate that is not a number; a corner that does not exist; all on one spot.
+ */
+export function buildModel(name: string, parts: readonly Part[], texture: Picture | null, notes: string[]): Model {
+  const corners = joinParts(name, parts);
+  const { min, max } = boundsOf(corners.positions);
+  const diagonal = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+  if (!(diagonal > 0)) throw new ModelError(`${name} has all its corners on one spot.`);
+
+  const welded = weld(corners.positions, diagonal);
+  const kept = keptTriangles(corners.index, welded.vertexOf);
+  if (kept.length === 0) throw new ModelError(`${name} has no triangle with an area.`);
+  const dropped = corners.index.length / 3 - kept.length;
+  if (dropped > 0) notes.push(`Left out ${count(dropped, "triangle")} without area or there twice.`);
+
+  const index = new Uint32Array(3 * kept.length);
+  for (let i = 0; i < kept.length; i++) index.set(corners.index.subarray(3 * kept[i], 3 * kept[i] + 3), 3 * i);
+  const drawn = drawnOf(corners, index, welded.vertexOf, texture);
+
+  const used = renumber(drawn.toVertex);
+  const positions = gather(welded.positions, used.order, 3);
+  drawn.toVertex = used.rank;
+  const faces = Uint32Array.from(drawn.index, (r) => drawn.toVertex[r]);
+  return { name, positions, faces, drawn, notes };
+}
+
+/** "1 triangle", "1,204 triangles" */
+export function count(n: number, one: string, many = one + "s"): string {
+  return `${n.toLocaleString("en-US")} ${n === 1 ? one : many}`;
+}
+
+interface Corners {
+  positions: Float32Array;
+  index: Uint32Array;
+  colors: Float32Array | null;
+  uvs: Float32Array | null;
+}
+
+/** All parts as one; only corners that a triangle uses. */
+function joinParts(name: string, parts: readonly Part[]): Corners {
+  const triangles = parts.reduce((sum, part) => sum + part.index.length / 3, 0);
+  if (triangles === 0) throw new ModelError(`${name} has no triangles.`);
+  const index = new Uint32Array(3 * triangles);
+  const colored = parts.some((part) => part.colors);
+  const mapped = parts.some((part) => part.uvs);
+  const positions: number[] = [];
+  const colors: number[] = [];
+  const uvs: number[] = [];
+  let at = 0;
+  for (const part of parts) {
+    const n = part.positions.length / 3;
+    const rank = new Int32Array(n).fill(-1);
+    for (let k = 0; k < part.index.length; k++) {
+      const corner = part.index[k];
+      if (!(corner >= 0 && corner < n)) {
+        throw new ModelError(`${name}: a face names vertex ${corner + 1}, but there are ${count(n, "vertex", "vertices")}.`);
+      }
+      if (rank[corner] < 0) {
+        rank[corner] = positions.length / 3;
+        for (let d = 0; d < 3; d++) {
+          const x = Math.fround(part.positions[3 * corner + d]);
+          if (!Number.isFinite(x)) throw new ModelError(`${name}: the place of vertex ${corner + 1} is not a number.`);
+          positions.push(x);
+          if (colored) colors.push(part.colors ? part.colors[3 * corner + d] : 1);
+        }
+        if (mapped) uvs.push(part.uvs ? part.uvs[2 * corner] : 0, part.uvs ? part.uvs[2 * corner + 1] : 0);
+      }
+      index[at++] = rank[corner];
+    }
+  }
+  return {
+    positions: Float32Array.from(positions),
+    index,
+    colors: colored && colors.every(Number.isFinite) ? Float32Array.from(colors) : null,
+    uvs: mapped && uvs.every(Number.isFinite) ? Float32Array.from(uvs) : null,
+  };
+}
+
+/** Triangles with three different vertices that no earlier one has in the same turn. */
+function keptTriangles(index: Uint32Array, vertexOf: Uint32Array): number[] {
+  const kept: number[] = [];
+  const triples = new TupleTable(index.length / 3, 3);
+  for (let f = 0; f < index.length / 3; f++) {
+    let [a, b, c] = [vertexOf[index[3 * f]], vertexOf[index[3 * f + 1]], vertexOf[index[3 * f + 2]]];
+    if (a === b || b === c || c === a) continue;
+    while (a > b || a > c) [a, b, c] = [b, c, a];
+    const known = triples.size;
+    if (triples.put([a, b, c]) === known) kept.push(f);
+  }
+  return kept;
+}
+
+/** Render vertices: corners that agree in vertex, colour and uv are one. */
+function drawnOf(corners: Corners, index: Uint32Array, vertexOf: Uint32Array, texture: Picture | null): DrawnSource {
+  const colorBits = corners.colors && new Int32Array(corners.colors.buffer);
+  const uvBits = corners.uvs && new Int32Array(corners.uvs.buffer);
+  const width = 1 + (colorBits ? 3 : 0) + (uvBits ? 2 : 0);
+  const tuples = new TupleTable(corners.positions.length / 3, width);
+  const source: number[] = [];
+  const tuple = new Int32Array(width);
+  const drawnIndex = index.map((corner) => {
+    tuple[0] = vertexOf[corner];
+    if (colorBits) tuple.set(colorBits.subarray(3 * corner, 3 * corner + 3), 1);
+    if (uvBits) tuple.set(uvBits.subarray(2 * corner, 2 * corner + 2), width - 2);
+    const r = tuples.put(tuple);
+    if (r === source.length) source.push(corner);
+    return r;
+  });
+  return {
+    positions: gather(corners.positions, source, 3),
+    index: drawnIndex,
+    toVertex: Uint32Array.from(source, (corner) => vertexOf[corner]),
+    colors: corners.colors && gather(corners.colors, source, 3),
+    uvs: corners.uvs && gather(corners.uvs, source, 2),
+    texture: corners.uvs && texture,
+  };
+}
+
+/** Numbers the values of `keys` from 0 in the order of the values. */
+function renumber(keys: Uint32Array): { order: Uint32Array; rank: Uint32Array } {
+  const rankOf = new Uint32Array(keys.reduce((a, b) => Math.max(a, b), 0) + 1);
+  for (const key of keys) rankOf[key] = 1;
+  const order: number[] = [];
+  rankOf.forEach((used, key) => {
+    if (used) rankOf[key] = order.push(key) - 1;
+  });
+  return { order: Uint32Array.from(order), rank: keys.map((key) => rankOf[key]) };
+}
+
+function gather(values: Float32Array, rows: ArrayLike<number>, width: number): Float32Array {
+  const out = new Float32Array(rows.length * width);
+  for (let i = 0; i < rows.length; i++) out.set(values.subarray(rows[i] * width, (rows[i] + 1) * width), i * width);
+  return out;
+}
+
+/** Numbers different tuples of integers in the order in which they come: an open-addressing hash table. */
+class TupleTable {
+  size = 0;
+  private readonly slots: Int32Array;
+  private readonly tuples: Int32Array;
+
+  constructor(capacity: number, private readonly width: number) {
+    let slots = 16;
+    while (slots < 2 * capacity) slots *= 2;
+    this.slots = new Int32Array(slots).fill(-1);
+    this.tuples = new Int32Array(capacity * width);
+  }
+
+  /** The tuple's number; `size` before the call if it is new. */
+  put(tuple: ArrayLike<number>): number {
+    const { slots, tuples, width } = this;
+    let hash = 0;
+    for (let k = 0; k < width; k++) hash = Math.imul(hash ^ tuple[k], 0x9e3779b1) ^ (hash >>> 15);
+    for (let at = (hash ^ (hash >>> 16)) & (slots.length - 1); ; at = (at + 1) & (slots.length - 1)) {
+      const n = slots[at];
+      if (n < 0) {
+        tuples.set(tuple, this.size * width);
+        slots[at] = this.size;
+        return this.size++;
+      }
+      let same = true;
+      for (let k = 0; k < width && same; k++) same = tuples[n * width + k] === tuple[k];
+      if (same) return n;
+    }
+  }
+}

@@ -1,0 +1,73 @@
+// One way in for every model format; runs in the page's worker and in Node alike.
+
+import { buildModel, type Model, type Part, type Picture } from "./model";
+import { baseName, decodeText, extension, ModelError, type NamedFile } from "./named-file";
+import { readGltf } from "./read-gltf";
+import { readObj } from "./read-obj";
+import { readOff } from "./read-off";
+import { readPly } from "./read-ply";
+import { readStl } from "./read-stl";
+
+export type { Model } from "./model";
+
+export const MODEL_EXTENSIONS = ["obj", "ply", "stl", "glb", "gltf", "off"] as const;
+export type ModelFormat = (typeof MODEL_EXTENSIONS)[number];
+
+/** What a file is by its first bytes, else by its name; null if it is no model that we read. */
+export function modelFormat(file: NamedFile): ModelFormat | null {
+  const head = new TextDecoder("latin1").decode(file.bytes.subarray(0, 256));
+  if (head.startsWith("glTF")) return "glb";
+  if (/^ply\s/.test(head)) return "ply";
+  if (/^\s*(ST)?C?N?4?n?OFF\b/.test(head)) return "off";
+  return MODEL_EXTENSIONS.find((known) => known === extension(file.name)) ?? null;
+}
+
+/**
+ * Reads the first of `files` that is a model; the others may be its material, picture and .bin files.
+ * Errors (ModelError): no model among them, an empty file, and whatever the format's reader finds wrong; the message names the file.
+ */
+export async function readModel(files: readonly NamedFile[]): Promise<Model> {
+  const file = files.find((candidate) => modelFormat(candidate) !== null);
+  if (!file) {
+    const names = files.map((other) => baseName(other.name)).join(", ");
+    throw new ModelError(`${names || "Nothing"} is not a model that we read (OBJ, PLY, STL, GLB, glTF, OFF).`);
+  }
+  const name = baseName(file.name);
+  if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);
+  try {
+    const notes: string[] = [];
+    const { parts, texture } = await readParts(name, file, files, notes);
+    return buildModel(name, parts, texture, notes);
+  } catch (error) {
+    if (error instanceof ModelError) throw error;
+    const why = error instanceof Error ? error.message : String(error);
+    throw new ModelError(`${name} could not be read: ${why.replace(/\.$/, "")}.`);
+  }
+}
+
+async function readParts(
+  name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
+): Promise<{ parts: Part[]; texture: Picture | null }> {
+  const format = modelFormat(file);
+  switch (format) {
+    case "glb":
+    case "gltf":
+      return readGltf(name, file, files, notes);
+    case "ply":
+      return { parts: readPly(name, file.bytes, notes), texture: null };
+    case "stl":
+      return { parts: readStl(name, file.bytes), texture: null };
+    case "obj":
+      return readObj(name, file.name, textOf(name, file.bytes, "OBJ"), files, notes);
+    case "off":
+      return { parts: readOff(name, textOf(name, file.bytes, "OFF"), notes), texture: null };
+    case null:
+      throw new ModelError(`${name} is not a model that we read.`);
+  }
+}
+
+function textOf(name: string, bytes: Uint8Array, kind: string): string {
+  const text = decodeText(bytes);
+  if (text === null) throw new ModelError(`${name} is not text, so it is no ${kind} model.`);
+  return text;
+}
