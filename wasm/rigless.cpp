@@ -35,7 +35,8 @@ HandleTable<Body> bodies;
 // error * 2^32 + where: exact in a double, and 0 when all is well.
 double pack(Status status) {
   if (status.ok()) return 0;
-  return static_cast<double>(status.error) * 4294967296.0 + static_cast<double>(static_cast<std::uint32_t>(status.where));
+  return static_cast<double>(status.error) * 4294967296.0 +
+         static_cast<double>(static_cast<std::uint32_t>(status.where));
 }
 
 Span<const Vec3f> points(const float* data, std::int32_t count) {
@@ -52,7 +53,7 @@ double volume_ratio(const Body& body, Span<const Vec3f> positions) {
 
 RIGLESS_EXPORT(alloc)(std::int32_t bytes)->void* { return std::malloc(static_cast<std::size_t>(bytes)); }
 
-extern "C" __attribute__((export_name("free_"))) void release(void* memory) { std::free(memory); }
+RIGLESS_EXPORT(release)(void* memory)->void { std::free(memory); }
 
 RIGLESS_EXPORT(body_new)()->ObjectHandle { return bodies.add(); }
 

@@ -235,7 +235,7 @@ export class Core {
       }
       return use(pointers);
     } finally {
-      for (const at of pointers) this.#wasm.free(at);
+      for (const at of pointers) this.#wasm.release(at);
     }
   }
 

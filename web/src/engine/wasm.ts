@@ -11,7 +11,7 @@ export interface RiglessExports {
   memory: WebAssembly.Memory;
   _initialize(): void;
   alloc(bytes: number): Pointer;
-  free(at: Pointer): void;
+  release(at: Pointer): void;
 
   body_new(): Handle;
   body_delete(body: Handle): void;
