@@ -2,6 +2,7 @@ import { defineConfig } from "vite";
 
 export default defineConfig({
   base: "./",
+  appType: "mpa", // a missing file answers 404, not the page
   publicDir: false,
   assetsInclude: ["**/*.glb", "**/*.bvh", "**/*.asf", "**/*.amc"],
   build: {
