@@ -11,9 +11,9 @@ namespace rigless {
 template <class S>
 struct Cells {
   OneRing ring;
-  std::vector<S> weight;          // per directed edge, symmetric, > 0
-  std::vector<Vec3<S>> rest;      // V
-  std::vector<S> weighted_size;   // V: sum_j w_ij |e_ij|^2
+  std::vector<S> weight;         // per directed edge, symmetric, > 0
+  std::vector<Vec3<S>> rest;     // V
+  std::vector<S> weighted_size;  // V: sum_j w_ij |e_ij|^2
 
   std::size_t size() const { return rest.size(); }
 };

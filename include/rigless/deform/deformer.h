@@ -33,9 +33,9 @@ struct DeformerOptions {
 template <class S, class Weights = CotangentWeights>
 class Deformer {
  public:
-  // Binds V rest vertices and F faces; forgets handles. Allocates. Broken meshes are accepted: shells are tied to what is
-  // nearest, isolated vertices too. On failure the old binding stays.
-  // Errors: no_faces; index_out_of_range (face); not_finite (vertex); factorization_failed.
+  // Binds V rest vertices and F faces; forgets handles. Allocates. Broken meshes are accepted: shells are tied to what
+  // is nearest, isolated vertices too. On failure the old binding stays. Errors: no_faces; index_out_of_range (face);
+  // not_finite (vertex); factorization_failed.
   Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
   // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old handles stay.
@@ -47,6 +47,10 @@ class Deformer {
 
   // Shape state and disc rotations back to rest. No allocation.
   void reset();
+
+  // Starts from nothing but the targets: rest, moved rigidly to fit them best, then bent by one solve until every
+  // control is met. Frames that start here depend on their targets alone. No allocation.
+  void start();
 
   // Starts the next step() from this surface (V) with unturned discs. No allocation.
   void set_shape(Span<const Vec3<S>> surface);
@@ -82,12 +86,12 @@ class Deformer {
   ElasticScale<S> elastic_;
   Discs discs_;
   SparseLdlt<S> ldlt_;
-  std::vector<Vec3<S>> targets_;         // C
-  std::vector<Mat3<S>> disc_rotation_;   // C
-  std::vector<Vec3<S>> shape_;           // V
-  std::vector<Vec3<S>> positions_;       // V
-  std::vector<Mat3<S>> transform_;       // V: s_i R_i, or V_i R_i in the pose state
-  std::vector<Rhs4<S>> rhs_;             // V
+  std::vector<Vec3<S>> targets_;        // C
+  std::vector<Mat3<S>> disc_rotation_;  // C
+  std::vector<Vec3<S>> shape_;          // V
+  std::vector<Vec3<S>> positions_;      // V
+  std::vector<Mat3<S>> transform_;      // V: s_i R_i, or V_i R_i in the pose state
+  std::vector<Rhs4<S>> rhs_;            // V
 };
 
 template <class S, class Weights>
@@ -132,8 +136,8 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
   return {};
 }
 
-// The Laplacian with hard rows: held vertices keep a unit diagonal and no coupling, so that the pattern, and with it the
-// permutation, never changes. Lower triangle.
+// The Laplacian with hard rows: held vertices keep a unit diagonal and no coupling, so that the pattern, and with it
+// the permutation, never changes. Lower triangle.
 template <class S, class Weights>
 auto Deformer<S, Weights>::system_matrix(const Cells<S>& cells, const Discs& discs) -> Matrix {
   const auto n = static_cast<std::int32_t>(cells.size());
@@ -149,8 +153,7 @@ auto Deformer<S, Weights>::system_matrix(const Cells<S>& cells, const Discs& dis
       const bool coupled = !discs.holds(i) && !discs.holds(static_cast<std::size_t>(j));
       entries.emplace_back(static_cast<std::int32_t>(i), j, coupled ? -cells.weight[k] : S(0));
     }
-    entries.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(i),
-                         discs.holds(i) ? S(1) : diagonal);
+    entries.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(i), discs.holds(i) ? S(1) : diagonal);
   }
   Matrix A(n, n);
   A.setFromTriplets(entries.begin(), entries.end());
@@ -194,6 +197,25 @@ void Deformer<S, Weights>::set_shape(Span<const Vec3<S>> surface) {
   std::copy(surface.begin(), surface.end(), shape_.begin());
   std::copy(surface.begin(), surface.end(), positions_.begin());
   std::fill(disc_rotation_.begin(), disc_rotation_.end(), Mat3<S>::Identity());
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::start() {
+  Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
+  for (std::size_t c = 0; c < targets_.size(); ++c) {
+    from += cells_.rest[static_cast<std::size_t>(discs_.center[c])];
+    to += targets_[c];
+  }
+  from /= static_cast<S>(targets_.size());
+  to /= static_cast<S>(targets_.size());
+  Mat3<S> C = Mat3<S>::Zero();
+  for (std::size_t c = 0; c < targets_.size(); ++c) {
+    C += (cells_.rest[static_cast<std::size_t>(discs_.center[c])] - from) * (targets_[c] - to).transpose();
+  }
+  const Mat3<S> R = nearest_rotation(C);
+  std::fill(transform_.begin(), transform_.end(), R);
+  std::fill(disc_rotation_.begin(), disc_rotation_.end(), R);
+  solve(shape_);
 }
 
 template <class S, class Weights>

@@ -5,8 +5,8 @@
 
 namespace rigless {
 
-// s' = s^lambda_v: equal to the thesis' Eq 3.12 to first order, and positive for every squash, where the linear law turns
-// negative below s = 1 - 1 / lambda_v.
+// s' = s^lambda_v: equal to the thesis' Eq 3.12 to first order, and positive for every squash, where the linear law
+// turns negative below s = 1 - 1 / lambda_v.
 template <class S>
 struct PowerLaw {
   S lambda_v = S(1);
@@ -26,8 +26,8 @@ struct Stretch {
   bool defined = false;  // false for an undeformed cell
 };
 
-// Axis: the largest principal component of the edge differences d = e' - R e (weighted in both). Stretch: the scale that
-// best explains the edges projected on it. Source: thesis Eq 3.9 and 3.11.
+// Axis: the largest principal component of the edge differences d = e' - R e (weighted in both). Stretch: the scale
+// that best explains the edges projected on it. Source: thesis Eq 3.9 and 3.11.
 template <class S>
 Stretch<S> fit_stretch(const Cells<S>& cells, Span<const Vec3<S>> surface, const Mat3<S>& R, std::size_t i) {
   Mat3<S> D = Mat3<S>::Zero();

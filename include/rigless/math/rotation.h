@@ -1,6 +1,5 @@
 // The rotation that best explains how one set of edges became another.
 #pragma once
-#include <cmath>
 
 #include "rigless/math/svd3.h"
 

@@ -27,8 +27,8 @@ class SparseLdlt {
   // Allocates. Errors: out_of_memory is not reported, Eigen aborts.
   Status analyze(const Matrix& lower);
 
-  // Factors a matrix of the analysed pattern. On failure the previous factor is gone. Allocates nothing after the first.
-  // Errors: factorization_failed; a common reason is a connected part of the mesh that no control holds.
+  // Factors a matrix of the analysed pattern. On failure the previous factor is gone. Allocates nothing after the
+  // first. Errors: factorization_failed; a common reason is a connected part of the mesh that no control holds.
   Status factorize(const Matrix& lower);
 
   // Solves in place for n rows. Needs a successful factorize(). No allocation.
@@ -42,8 +42,8 @@ class SparseLdlt {
   using Solver = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<std::int32_t>>;
 
   std::unique_ptr<Solver> solver_;  // Eigen's solvers cannot be moved
-  std::vector<Rhs4<S>> work_;     // n, in elimination order
-  std::vector<S> inverse_d_;      // n
+  std::vector<Rhs4<S>> work_;       // n, in elimination order
+  std::vector<S> inverse_d_;        // n
   std::int32_t rows_ = 0;
   bool factored_ = false;
 };

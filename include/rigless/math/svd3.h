@@ -11,9 +11,9 @@ namespace rigless {
 // A = U diag(sigma) V^T.
 template <class S>
 struct Svd3 {
-  Mat3<S> U;        // orthonormal; determinant +1 or -1
-  Vec3<S> sigma;    // >= 0, in descending order
-  Mat3<S> V;        // orthonormal, determinant +1
+  Mat3<S> U;      // orthonormal; determinant +1 or -1
+  Vec3<S> sigma;  // >= 0, in descending order
+  Mat3<S> V;      // orthonormal, determinant +1
 };
 
 // Decomposes A. Never fails on finite input; columns of U that belong to vanishing singular values complete an

@@ -51,9 +51,8 @@ S surface_area(Span<const Vec3<S>> vertices, Span<const Face> faces) {
   double twice = 0;
   for (const Face& f : faces) {
     const Vec3<S>& a = vertices[static_cast<std::size_t>(f[0])];
-    twice += static_cast<double>((vertices[static_cast<std::size_t>(f[1])] - a)
-                                     .cross(vertices[static_cast<std::size_t>(f[2])] - a)
-                                     .norm());
+    twice += static_cast<double>(
+        (vertices[static_cast<std::size_t>(f[1])] - a).cross(vertices[static_cast<std::size_t>(f[2])] - a).norm());
   }
   return static_cast<S>(twice / 2);
 }

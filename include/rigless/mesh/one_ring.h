@@ -57,7 +57,8 @@ inline OneRing one_ring_from_pairs(std::vector<std::array<std::int32_t, 2>> pair
   return ring;
 }
 
-// Every edge of the faces (V x 3 indices already checked). Non-manifold edges and duplicate faces count once. Allocates.
+// Every edge of the faces (V x 3 indices already checked). Non-manifold edges and duplicate faces count once.
+// Allocates.
 inline OneRing one_ring(Span<const Face> faces, std::int32_t vertices) {
   std::vector<std::array<std::int32_t, 2>> pairs;
   pairs.reserve(3 * faces.size());

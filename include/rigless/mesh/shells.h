@@ -144,7 +144,8 @@ std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3<S>> vertices
         std::int32_t from, to;
       };
       std::vector<Candidate> found;
-      const std::size_t stride = std::max<std::size_t>(1, members[s].size() / 2000);  // a sample is enough on big shells
+      const std::size_t stride =
+          std::max<std::size_t>(1, members[s].size() / 2000);  // a sample is enough on big shells
       for (std::size_t m = 0; m < members[s].size(); m += stride) {
         const std::int32_t v = members[s][m];
         const Vec3<S>& p = vertices[static_cast<std::size_t>(v)];
@@ -157,7 +158,8 @@ std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3<S>> vertices
         return a.distance != b.distance ? a.distance < b.distance : a.from < b.from;
       });
       // the nearest, then others spread over the near half, so that the piece cannot spin about one tie
-      const std::size_t near_half = found.empty() ? 0 : std::max(std::min(found.size(), ties_per_shell), found.size() / 4);
+      const std::size_t near_half =
+          found.empty() ? 0 : std::max(std::min(found.size(), ties_per_shell), found.size() / 4);
       const std::size_t step = std::max<std::size_t>(1, near_half / ties_per_shell);
       for (std::size_t k = 0, taken = 0; k < near_half && taken < ties_per_shell; k += step, ++taken) {
         ties.push_back({found[k].from, found[k].to});
