@@ -1,34 +1,25 @@
 // The core as flat C functions over integer handles. No logic of its own: it turns memory into spans, double into
-// float32 and back, and a Status into one number. Vertices are float; motions and control tracks are double inside.
-// Pointers into an object live until the object is changed or the heap grows.
+// float32, and a Status into one number. Vertices are float; motions and control tracks are double inside.
+// A pointer into an object holds until the object changes or the heap grows.
 
 #include <cstdlib>
-#include <limits>
 
 #include "handle_table.h"
-#include "rigless/mesh/inspect.h"
-#include "rigless/mesh/measure.h"
-#include "rigless/scene/drag.h"
+#include "rigless/scene/body.h"
 
-#define RIGLESS_EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
+#define RIGLESS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
-using namespace rigless;
+using rigless::Error;
+using rigless::Face;
+using rigless::Span;
+using rigless::Status;
 using rigless_wasm::HandleTable;
 using rigless_wasm::ObjectHandle;
 
 namespace {
 
-using Vec3f = Vec3<float>;
-
-// A mesh with its deformer.
-struct Body {
-  std::vector<Vec3f> rest;
-  std::vector<Face> faces;
-  MeshTopology topology;
-  float volume = 0;
-  Deformer<float> deformer;
-  Drag<float> drag;
-};
+using Body = rigless::Body<float>;
+using Vec3f = rigless::Vec3<float>;
 
 HandleTable<Body> bodies;
 
@@ -39,46 +30,31 @@ double pack(Status status) {
          static_cast<double>(static_cast<std::uint32_t>(status.where));
 }
 
-Span<const Vec3f> points(const float* data, std::int32_t count) {
-  return {reinterpret_cast<const Vec3f*>(data), static_cast<std::size_t>(count)};
-}
-
-// Deformed over rest; NaN where an open surface has no volume.
-double volume_ratio(const Body& body, Span<const Vec3f> positions) {
-  if (!body.topology.closed() || body.volume == 0) return std::numeric_limits<double>::quiet_NaN();
-  return static_cast<double>(signed_volume<float>(positions, body.faces) / body.volume);
+template <class T, class U>
+Span<const T> view(const U* data, std::int32_t count) {
+  return {reinterpret_cast<const T*>(data), static_cast<std::size_t>(count)};
 }
 
 }  // namespace
 
-RIGLESS_EXPORT(alloc)(std::int32_t bytes)->void* { return std::malloc(static_cast<std::size_t>(bytes)); }
+RIGLESS_EXPORT void* alloc(std::int32_t bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
 
-RIGLESS_EXPORT(release)(void* memory)->void { std::free(memory); }
+RIGLESS_EXPORT void release(void* memory) { std::free(memory); }
 
-RIGLESS_EXPORT(body_new)()->ObjectHandle { return bodies.add(); }
+RIGLESS_EXPORT ObjectHandle body_new() { return bodies.add(); }
 
-RIGLESS_EXPORT(body_delete)(ObjectHandle handle)->void { bodies.remove(handle); }
+RIGLESS_EXPORT void body_delete(ObjectHandle body) { bodies.remove(body); }
 
 // positions: V x 3; faces: F x 3. Forgets controls. On failure the body keeps what it had.
-RIGLESS_EXPORT(body_set_mesh)
-(ObjectHandle handle, const float* positions, std::int32_t vertices, const std::int32_t* faces, std::int32_t count)
-    ->double {
-  Body& body = bodies[handle];
-  const Span<const Vec3f> rest = points(positions, vertices);
-  const Span<const Face> triangles(reinterpret_cast<const Face*>(faces), static_cast<std::size_t>(count));
-  if (const Status status = body.deformer.bind(rest, triangles); !status.ok()) return pack(status);
-  body.rest.assign(rest.begin(), rest.end());
-  body.faces.assign(triangles.begin(), triangles.end());
-  body.topology = inspect_mesh(triangles, vertices);
-  body.volume = signed_volume(rest, triangles);
-  return 0;
+RIGLESS_EXPORT double body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
+                                    const std::int32_t* faces, std::int32_t face_count) {
+  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<Face>(faces, face_count)));
 }
 
 // out: volume (NaN when open), boundary edges, non-manifold edges, shells, isolated vertices, degenerate faces.
-RIGLESS_EXPORT(body_report)(ObjectHandle handle, double* out)->void {
-  const Body& body = bodies[handle];
-  const MeshTopology& t = body.topology;
-  out[0] = t.closed() ? std::abs(static_cast<double>(body.volume)) : std::numeric_limits<double>::quiet_NaN();
+RIGLESS_EXPORT void body_report(ObjectHandle body, double* out) {
+  const rigless::MeshTopology& t = bodies[body].topology();
+  out[0] = static_cast<double>(bodies[body].volume());
   out[1] = t.boundary_edges;
   out[2] = t.non_manifold_edges;
   out[3] = t.shells;
@@ -87,34 +63,23 @@ RIGLESS_EXPORT(body_report)(ObjectHandle handle, double* out)->void {
 }
 
 // C vertices and geodesic radii. On failure the old controls stay.
-RIGLESS_EXPORT(body_set_controls)
-(ObjectHandle handle, const std::int32_t* vertices, const float* radii, std::int32_t count)->double {
-  Body& body = bodies[handle];
-  std::vector<Handle<float>> handles;
-  for (std::int32_t c = 0; c < count; ++c) handles.push_back({vertices[c], radii[c]});
-  if (const Status status = body.deformer.set_handles(handles); !status.ok()) return pack(status);
-  body.drag.bind(body.deformer);
-  return 0;
+RIGLESS_EXPORT double body_set_controls(ObjectHandle body, const std::int32_t* vertices, const float* radii,
+                                        std::int32_t count) {
+  std::vector<rigless::Handle<float>> controls;
+  for (std::int32_t c = 0; c < count; ++c) controls.push_back({vertices[c], radii[c]});
+  return pack(bodies[body].set_controls(controls));
 }
 
 // targets: C x 3, body-local. The result is body_positions().
-RIGLESS_EXPORT(body_drag)
-(ObjectHandle handle, const float* targets, std::int32_t count, float volume, std::int32_t restart)->double {
-  Body& body = bodies[handle];
-  if (count != body.deformer.handles()) return pack({Error::size_mismatch, -1});
-  const Span<const Vec3f> wanted = points(targets, count);
-  for (std::size_t c = 0; c < wanted.size(); ++c) {
-    if (!wanted[c].allFinite()) return pack({Error::not_finite, static_cast<std::int32_t>(c)});
-  }
-  body.drag.move(body.deformer, wanted, volume, restart != 0);
-  return 0;
+RIGLESS_EXPORT double body_drag(ObjectHandle body, const float* targets, std::int32_t count, float volume,
+                                std::int32_t restart) {
+  return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0));
 }
 
-RIGLESS_EXPORT(body_positions)(ObjectHandle handle)->const float* {
-  return bodies[handle].deformer.positions().data()->data();
+RIGLESS_EXPORT const float* body_positions(ObjectHandle body) {
+  return bodies[body].deformer().positions().data()->data();
 }
 
-RIGLESS_EXPORT(body_volume_ratio)(ObjectHandle handle)->double {
-  const Body& body = bodies[handle];
-  return volume_ratio(body, body.deformer.positions());
+RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) {
+  return static_cast<double>(bodies[body].volume_ratio(bodies[body].deformer().positions()));
 }

@@ -1,0 +1,105 @@
+// Any frame of a performance as vertices in the world.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rigless/scene/drag.h"
+#include "rigless/scene/performance.h"
+
+namespace rigless {
+
+inline constexpr double gravity = -9.81;  // metres per second squared
+
+// Deforms in the body-local frame, from rest, then puts back the yaw, adds the travel and sets the height: the lowest
+// vertex of a supported frame lies on y = 0; a flight is a throw from where the body left the ground to where it lands,
+// in the time that the human took. So a frame depends on nothing but the performance, whatever was made before it.
+template <class S>
+class Bake {
+ public:
+  struct Root {
+    Vec3<S> position = Vec3<S>::Zero();
+    S yaw = 0;
+  };
+
+  // `volume` is lambda_v. The deformer must have the performance's controls; both must outlive this. Allocates.
+  void bind(Deformer<S>& deformer, const Performance<S>& performance, S volume) {
+    RIGLESS_ASSERT(performance.control_count() == static_cast<std::size_t>(deformer.handles()));
+    deformer_ = &deformer;
+    performance_ = &performance;
+    volume_ = volume;
+    positions_.resize(static_cast<std::size_t>(deformer.vertices()));
+    lowest_.assign(static_cast<std::size_t>(performance.frames), std::numeric_limits<S>::quiet_NaN());
+  }
+
+  // Makes a frame; see positions(), root(). The first frame of a flight that is asked for also deforms its two ends. No
+  // allocation. Errors: index_out_of_range.
+  Status frame(std::int32_t f) {
+    if (performance_ == nullptr || f < 0 || f >= performance_->frames) return {Error::index_out_of_range, f};
+    const std::array<std::int32_t, 2>* flight = flight_over(f);
+    S height = 0;
+    if (flight != nullptr) height = height_in_flight(*flight, f);
+    const Span<const Vec3<S>> local = deform(f);
+    const S grounded = -lowest_[static_cast<std::size_t>(f)];
+    height = flight != nullptr ? std::max(height, grounded) : grounded;
+
+    const auto& travel = performance_->travel[static_cast<std::size_t>(f)];
+    root_.position = {travel[0], height, travel[1]};
+    root_.yaw = performance_->yaw[static_cast<std::size_t>(f)];
+    const S c = std::cos(root_.yaw), s = std::sin(root_.yaw);
+    for (std::size_t v = 0; v < local.size(); ++v) {
+      const Vec3<S>& p = local[v];
+      positions_[v] = Vec3<S>(c * p.x() + s * p.z(), p.y(), c * p.z() - s * p.x()) + root_.position;
+    }
+    return {};
+  }
+
+  Span<const Vec3<S>> positions() const { return positions_; }  // V, world
+  const Root& root() const { return root_; }
+
+ private:
+  const std::array<std::int32_t, 2>* flight_over(std::int32_t f) const {
+    for (const auto& flight : performance_->flights) {
+      if (flight[0] < f && f < flight[1]) return &flight;
+    }
+    return nullptr;
+  }
+
+  Span<const Vec3<S>> deform(std::int32_t f) {
+    const std::size_t controls = performance_->control_count();
+    const Span<const Vec3<S>> tracks = performance_->controls;
+    deform_from_rest(*deformer_, tracks.subspan(static_cast<std::size_t>(f) * controls, controls), volume_);
+    const Span<const Vec3<S>> local = deformer_->positions();
+    S lowest = std::numeric_limits<S>::max();
+    for (const Vec3<S>& p : local) lowest = std::min(lowest, p.y());
+    lowest_[static_cast<std::size_t>(f)] = lowest;
+    return local;
+  }
+
+  S lowest(std::int32_t f) {
+    if (std::isnan(lowest_[static_cast<std::size_t>(f)])) deform(f);
+    return lowest_[static_cast<std::size_t>(f)];
+  }
+
+  // The height of the body's origin k frames after take-off: semi-implicit Euler, v += g, x += v, summed up, with the
+  // velocity that lands exactly. Source: thesis Eq 3.31.
+  S height_in_flight(const std::array<std::int32_t, 2>& flight, std::int32_t f) {
+    const S g = static_cast<S>(gravity / (performance_fps * performance_fps));
+    const S start = -lowest(flight[0]);
+    const S end = -lowest(flight[1]);
+    const auto duration = static_cast<S>(flight[1] - flight[0]);
+    const S velocity = (end - start - duration * (duration + 1) / 2 * g) / duration;
+    const auto k = static_cast<S>(f - flight[0]);
+    return start + k * velocity + k * (k + 1) / 2 * g;
+  }
+
+  Deformer<S>* deformer_ = nullptr;
+  const Performance<S>* performance_ = nullptr;
+  S volume_ = 1;
+  std::vector<Vec3<S>> positions_;  // V
+  std::vector<S> lowest_;           // T: y of the lowest local vertex; NaN until it is known
+  Root root_;
+};
+
+}  // namespace rigless
