@@ -5,7 +5,10 @@
 #include <cstdlib>
 
 #include "handle_table.h"
+#include "rigless/motion/parse_acclaim.h"
+#include "rigless/motion/parse_bvh.h"
 #include "rigless/scene/body.h"
+#include "rigless/scene/staged_motion.h"
 
 #define RIGLESS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -21,7 +24,16 @@ namespace {
 using Body = rigless::Body<float>;
 using Vec3f = rigless::Vec3<float>;
 
+// A motion as it was read, and what of it goes to the page as float32.
+struct Motion {
+  rigless::AcclaimSkeleton skeleton;
+  rigless::ParseNotes notes;
+  rigless::StagedMotion<double> staged;
+  std::vector<float> positions, local, yaw;
+};
+
 HandleTable<Body> bodies;
+HandleTable<Motion> motions;
 
 // error * 2^32 + where: exact in a double, and 0 when all is well.
 double pack(Status status) {
@@ -33,6 +45,24 @@ double pack(Status status) {
 template <class T, class U>
 Span<const T> view(const U* data, std::int32_t count) {
   return {reinterpret_cast<const T*>(data), static_cast<std::size_t>(count)};
+}
+
+std::string_view text_view(const char* text, std::int32_t bytes) { return {text, static_cast<std::size_t>(bytes)}; }
+
+void narrow(Span<const rigless::Vec3<double>> points, std::vector<float>& out) {
+  out.clear();
+  out.reserve(3 * points.size());
+  for (const rigless::Vec3<double>& p : points) {
+    for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(p[k]));
+  }
+}
+
+Status stage(const rigless::Clip<double>& clip, Motion& motion) {
+  if (const Status status = rigless::stage_motion(clip, motion.staged); !status.ok()) return status;
+  narrow(motion.staged.clip.positions, motion.positions);
+  narrow(motion.staged.local, motion.local);
+  motion.yaw.assign(motion.staged.yaw.begin(), motion.staged.yaw.end());
+  return {};
 }
 
 }  // namespace
@@ -83,3 +113,67 @@ RIGLESS_EXPORT const float* body_positions(ObjectHandle body) {
 RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) {
   return static_cast<double>(bodies[body].volume_ratio(bodies[body].deformer().positions()));
 }
+
+RIGLESS_EXPORT ObjectHandle motion_new() { return motions.add(); }
+
+RIGLESS_EXPORT void motion_delete(ObjectHandle motion) { motions.remove(motion); }
+
+// UTF-8 text.
+RIGLESS_EXPORT double motion_read_bvh(ObjectHandle motion, const char* text, std::int32_t bytes) {
+  rigless::Clip<double> clip;
+  const Status status = rigless::parse_bvh(text_view(text, bytes), clip, &motions[motion].notes);
+  return pack(status.ok() ? stage(clip, motions[motion]) : status);
+}
+
+RIGLESS_EXPORT double motion_read_asf(ObjectHandle motion, const char* text, std::int32_t bytes) {
+  return pack(rigless::parse_asf(text_view(text, bytes), motions[motion].skeleton));
+}
+
+// On the skeleton of motion_read_asf().
+RIGLESS_EXPORT double motion_read_amc(ObjectHandle motion, const char* text, std::int32_t bytes) {
+  Motion& m = motions[motion];
+  rigless::Clip<double> clip;
+  const Status status = rigless::parse_amc(text_view(text, bytes), m.skeleton, clip, &m.notes);
+  return pack(status.ok() ? stage(clip, m) : status);
+}
+
+// out: T, J, frames and rate of the file, metres per unit of the file.
+RIGLESS_EXPORT void motion_info(ObjectHandle motion, double* out) {
+  const rigless::StagedMotion<double>& m = motions[motion].staged;
+  out[0] = m.clip.frames;
+  out[1] = m.clip.joints();
+  out[2] = m.source_frames;
+  out[3] = m.source_fps;
+  out[4] = m.clip.metres_per_unit;
+}
+
+// out: the numbers of ParseNotes, in its order.
+RIGLESS_EXPORT void motion_notes(ObjectHandle motion, double* out) {
+  const rigless::ParseNotes& n = motions[motion].notes;
+  out[0] = n.frames_declared;
+  out[1] = n.frames_read;
+  out[2] = n.frame_cut;
+  out[3] = n.text_after_end;
+  out[4] = n.frame_time_assumed;
+  out[5] = n.roots;
+  out[6] = n.renamed;
+  out[7] = n.lengths_ignored;
+}
+
+RIGLESS_EXPORT const char* motion_name(ObjectHandle motion, std::int32_t joint) {
+  return motions[motion].staged.clip.skeleton.names[static_cast<std::size_t>(joint)].data();
+}
+
+RIGLESS_EXPORT std::int32_t motion_name_bytes(ObjectHandle motion, std::int32_t joint) {
+  return static_cast<std::int32_t>(motions[motion].staged.clip.skeleton.names[static_cast<std::size_t>(joint)].size());
+}
+
+// J
+RIGLESS_EXPORT const std::int32_t* motion_parents(ObjectHandle motion) {
+  return motions[motion].staged.clip.skeleton.parents.data();
+}
+
+// T x J x 3, T x J x 3 and T, float32
+RIGLESS_EXPORT const float* motion_positions(ObjectHandle motion) { return motions[motion].positions.data(); }
+RIGLESS_EXPORT const float* motion_local(ObjectHandle motion) { return motions[motion].local.data(); }
+RIGLESS_EXPORT const float* motion_yaw(ObjectHandle motion) { return motions[motion].yaw.data(); }

@@ -1,7 +1,7 @@
 // The core as the server uses it. The only file that sees pointers: it makes a view, uses it and drops it,
 // because a view dies when the heap grows.
 
-import { engineError, outOfMemory } from "./messages";
+import { engineError, motionNotes, outOfMemory } from "./messages";
 import type { Subject } from "./messages";
 import type { DragInput } from "./protocol";
 import { EngineError } from "./types";
@@ -81,7 +81,7 @@ export class Core {
     }
     if (this.#motion) this.#wasm.motion_delete(this.#motion);
     this.#motion = motion;
-    return this.#describeMotion(motion);
+    return this.#describeMotion(motion, input.name);
   }
 
   drag({ targets, volume, restart }: DragInput): Frame {
@@ -168,8 +168,10 @@ export class Core {
     });
   }
 
-  #describeMotion(motion: Handle): Motion {
+  #describeMotion(motion: Handle, name: string): Motion {
     const wasm = this.#wasm;
+    wasm.motion_notes(motion, this.#out);
+    const notes = motionNotes(name, this.#doubles(8));
     wasm.motion_info(motion, this.#out);
     const [frames = 0, count = 0, sourceFrames = 0, fps = 0, metresPerUnit = 0] = this.#doubles(5);
     const parents = new Int32Array(wasm.memory.buffer, wasm.motion_parents(motion), count).slice();
@@ -184,7 +186,7 @@ export class Core {
       local: this.#floats(wasm.motion_local(motion), 3 * frames * count),
       yaw: this.#floats(wasm.motion_yaw(motion), frames),
       source: { frames: sourceFrames, fps, metresPerUnit },
-      notes: [],
+      notes,
     };
   }
 

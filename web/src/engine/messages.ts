@@ -90,6 +90,20 @@ function motionMessage(error: CoreError, where: number, kind: "bvh" | "asf" | "a
   }
 }
 
+/** What a reader worked around: the numbers of rigless::ParseNotes. */
+export function motionNotes(name: string, numbers: number[]): string[] {
+  const [declared = 0, read = 0, cut = 0, trailing = 0, rateAssumed = 0, roots = 1, renamed = 0, lengths = 0] = numbers;
+  const notes: string[] = [];
+  if (declared > read) notes.push(`${name} announces ${count(declared)} frames and holds ${count(read)}: these are used.`);
+  else if (cut) notes.push(`The last frame of ${name} is incomplete and left out: ${count(read)} frames are used.`);
+  if (trailing) notes.push(`${name} goes on after its ${count(read)} announced frames; the rest is not used.`);
+  if (rateAssumed) notes.push(`${name} does not say how fast it plays: 30 frames per second are assumed.`);
+  if (roots > 1) notes.push(`${name} holds ${count(roots)} figures; the first is used.`);
+  if (renamed > 0) notes.push(`${count(renamed)} ${renamed === 1 ? "joint has" : "joints have"} no name of its own and got a number.`);
+  if (lengths > 0) notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
+  return notes;
+}
+
 function meshMessage(error: CoreError, where: number): string {
   switch (error) {
     case "empty_input":

@@ -28,6 +28,7 @@ export interface RiglessExports {
   motion_read_asf(motion: Handle, text: Pointer, bytes: number): PackedStatus;
   motion_read_amc(motion: Handle, text: Pointer, bytes: number): PackedStatus;
   motion_info(motion: Handle, out: Pointer): void;
+  motion_notes(motion: Handle, out: Pointer): void;
   motion_name(motion: Handle, joint: number): Pointer;
   motion_name_bytes(motion: Handle, joint: number): number;
   motion_parents(motion: Handle): Pointer;

@@ -1,0 +1,45 @@
+// A motion as the stage takes it: at 30 fps, on the floor, in both frames of reference.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "rigless/motion/body_frame.h"
+#include "rigless/motion/resample.h"
+#include "rigless/scene/performance.h"
+
+namespace rigless {
+
+// T frames of J joints at 30 fps.
+template <class S>
+struct StagedMotion {
+  Clip<S> clip;                    // the lowest joint of all frames on y = 0; the root begins over x = z = 0
+  std::vector<Vec3<S>> local;      // T x J, body-local
+  std::vector<S> yaw;              // T
+  std::int32_t source_frames = 0;  // of the file
+  S source_fps = 0;
+};
+
+// Allocates. Errors: no_frames; not_finite (where: frame of the source); out_of_memory. On failure `out` keeps what it
+// had.
+template <class S>
+Status stage_motion(const Clip<S>& source, StagedMotion<S>& out) {
+  for (std::size_t i = 0; i < source.positions.size(); ++i) {
+    if (!source.positions[i].allFinite()) {
+      return {Error::not_finite, static_cast<std::int32_t>(i / source.skeleton.names.size())};
+    }
+  }
+  StagedMotion<S> staged;
+  if (const Status status = resample(source, static_cast<S>(performance_fps), staged.clip); !status.ok()) return status;
+  Vec3<S> origin = staged.clip.at(0, 0);
+  for (const Vec3<S>& p : staged.clip.positions) origin.y() = std::min(origin.y(), p.y());
+  for (Vec3<S>& p : staged.clip.positions) p -= origin;
+  staged.yaw = body_yaw(staged.clip);
+  staged.local = body_local_positions<S>(staged.clip, staged.yaw);
+  staged.source_frames = source.frames;
+  staged.source_fps = source.fps;
+  out = std::move(staged);
+  return {};
+}
+
+}  // namespace rigless
