@@ -1,0 +1,24 @@
+// Rotations as motion files write them: a list of turns about single axes.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "rigless/math/types.h"
+
+namespace rigless {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+// R becomes R times a turn by `angle` (radians) about axis 0, 1 or 2. Does not allocate.
+inline void turn_about_axis(std::int32_t axis, double angle, Mat3<double>& rotation) {
+  const std::int32_t a = (axis + 1) % 3;
+  const std::int32_t b = (axis + 2) % 3;
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const Vec3<double> first = rotation.col(a);
+  rotation.col(a) = c * first + s * rotation.col(b);
+  rotation.col(b) = c * rotation.col(b) - s * first;
+}
+
+}  // namespace rigless

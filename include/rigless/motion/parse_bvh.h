@@ -1,0 +1,190 @@
+// BVH (Biovision hierarchy) to joint positions.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "rigless/math/status.h"
+#include "rigless/motion/bvh_hierarchy.h"
+#include "rigless/motion/clip.h"
+#include "rigless/motion/euler.h"
+#include "rigless/motion/parse_notes.h"
+#include "rigless/motion/text_scanner.h"
+
+namespace rigless {
+
+// Joint origins of every whole frame, in the file's own lengths and axes (metres_per_unit is 1: see units.h and
+// up_axis.h). End Sites are joints named <parent>_end. Rotations multiply in the order of the channels; position
+// channels stand for the OFFSET, on joints other than the root also beside it, whichever the values fit. Of several
+// ROOTs the first is read; names become unique. Allocates in proportion to what the text holds, whatever it declares.
+// Errors: empty_input, not_this_format, unexpected_end, bad_syntax, bad_number, unsupported with their line (a common
+// reason for bad_number is NaN, for unexpected_end a download that was cut); no_frames: not one whole frame;
+// not_finite: a number too large for S; out_of_memory: more than 2^26 positions. `clip` and `notes` then keep what they
+// had.
+template <class S>
+Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes = nullptr);
+
+constexpr std::size_t max_clip_positions = std::size_t{1} << 26;
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct BvhMotion {
+  double frame_time = 0;
+  std::vector<double> values;  // whole frames
+};
+
+// The header lines, in either order.
+inline Status read_bvh_motion_header(TextScanner& scanner, BvhMotion& motion, ParseNotes& notes) {
+  bool timed = false;
+  bool counted = false;
+  while (!timed || !counted) {
+    std::string_view word = scanner.peek();
+    if (word.empty()) return scanner.fail(Error::unexpected_end);
+    const std::string_view key = word.substr(0, word.find(':'));
+    const bool is_count = same_word(key, "Frames");
+    const bool is_time = same_word(key, "Frame") || same_word(key, "FrameTime");
+    if (!is_count && !is_time) return scanner.fail(Error::bad_syntax);
+    scanner.rest_of_line(':');
+    double value = 0;
+    if (!scanner.skip(':')) return scanner.fail(scanner.more() ? Error::bad_syntax : Error::unexpected_end);
+    if (const Status status = scanner.number(value); !status.ok()) return status;
+    if (is_count) {
+      counted = true;
+      notes.frames_declared = static_cast<std::int32_t>(std::min(std::max(value, 0.0), 2e9));
+    } else {
+      timed = true;
+      motion.frame_time = value;
+    }
+  }
+  // 0, or milliseconds, or nonsense: a motion at 30 fps is better than none.
+  notes.frame_time_assumed = !(motion.frame_time >= 1e-4 && motion.frame_time <= 10);
+  if (notes.frame_time_assumed) motion.frame_time = 1.0 / 30.0;
+  return {};
+}
+
+inline Status read_bvh_values(TextScanner& scanner, std::size_t channels, BvhMotion& motion, ParseNotes& notes) {
+  const std::size_t declared = static_cast<std::size_t>(notes.frames_declared);
+  const std::size_t wanted = declared * channels;  // 0: all there is
+  const std::size_t present = scanner.remaining() / 2 + 1;
+  motion.values.reserve(wanted == 0 ? present / 4 : std::min(wanted, present));
+  while ((wanted == 0 || motion.values.size() < wanted) && scanner.more()) {
+    double value = 0;
+    if (const Status status = scanner.number(value); !status.ok()) return status;
+    motion.values.push_back(value);
+  }
+  notes.text_after_end = scanner.more();
+  const std::size_t frames = channels == 0 ? 0 : motion.values.size() / channels;
+  notes.frame_cut = motion.values.size() != frames * channels;
+  motion.values.resize(frames * channels);
+  notes.frames_read = static_cast<std::int32_t>(frames);
+  return frames == 0 ? Status{Error::no_frames, -1} : Status{};
+}
+
+// Do the position channels of joints below the root hold the whole translation (true), or what comes on top of OFFSET?
+// Exporters do either; the sum of squares tells which, because bones hardly change their length.
+inline bool bvh_positions_stand_for_offset(const BvhHierarchy& hierarchy, const BvhMotion& motion) {
+  double from_offset = 0;
+  double from_zero = 0;
+  const std::size_t stride = static_cast<std::size_t>(hierarchy.channels);
+  std::size_t first = 0;
+  for (const BvhNode& node : hierarchy.nodes) {
+    for (std::size_t k = 0; k < node.channels.size() && node.parent >= 0; ++k) {
+      if (node.channels[k].rotation) continue;
+      const double offset = node.offset[node.channels[k].axis];
+      for (std::size_t i = first + k; i < motion.values.size(); i += stride) {
+        from_offset += (motion.values[i] - offset) * (motion.values[i] - offset);
+        from_zero += motion.values[i] * motion.values[i];
+      }
+    }
+    first += node.channels.size();
+  }
+  return from_offset <= from_zero;
+}
+
+// One frame of world positions and rotations.
+inline void pose_bvh(const BvhHierarchy& hierarchy, const double* values, bool stand_for_offset,
+                     std::vector<Vec3<double>>& positions, std::vector<Mat3<double>>& rotations) {
+  for (std::size_t j = 0; j < static_cast<std::size_t>(hierarchy.joints); ++j) {
+    const BvhNode& node = hierarchy.nodes[j];
+    const bool root = node.parent < 0;
+    Vec3<double> translation = node.offset;
+    Mat3<double> rotation = root ? Mat3<double>::Identity() : rotations[static_cast<std::size_t>(node.parent)];
+    const Mat3<double> frame = rotation;
+    for (const BvhChannel& channel : node.channels) {
+      const double value = *values++;
+      if (channel.rotation) {
+        turn_about_axis(channel.axis, value * radians_per_degree, rotation);
+      } else {
+        translation[channel.axis] = root || stand_for_offset ? value : node.offset[channel.axis] + value;
+      }
+    }
+    positions[j] = frame * translation;
+    if (!root) positions[j] += positions[static_cast<std::size_t>(node.parent)];
+    rotations[j] = rotation;
+  }
+}
+
+// False if a number is too large for S to hold the sums.
+template <class S>
+bool all_finite(const Clip<S>& clip) {
+  for (const Vec3<S>& p : clip.positions) {
+    if (!p.allFinite()) return false;
+  }
+  return true;
+}
+
+template <class S>
+void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, Clip<S>& clip) {
+  const std::size_t joints = static_cast<std::size_t>(hierarchy.joints);
+  const bool stand_for_offset = bvh_positions_stand_for_offset(hierarchy, motion);
+  std::vector<Vec3<double>> positions(joints);
+  std::vector<Mat3<double>> rotations(joints);
+  clip.positions.reserve(static_cast<std::size_t>(clip.frames) * joints);
+  clip.root_rotation.reserve(static_cast<std::size_t>(clip.frames));
+  const std::size_t stride = static_cast<std::size_t>(hierarchy.channels);
+  for (std::size_t i = 0; i < motion.values.size(); i += stride) {
+    pose_bvh(hierarchy, motion.values.data() + i, stand_for_offset, positions, rotations);
+    for (const Vec3<double>& p : positions) clip.positions.push_back(p.cast<S>());
+    clip.root_rotation.push_back(Eigen::Quaterniond(rotations[0]).normalized().cast<S>());
+  }
+}
+
+template <class S>
+Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes) {
+  TextScanner scanner(text);
+  BvhHierarchy hierarchy;
+  BvhMotion motion;
+  ParseNotes found;
+  if (const Status status = parse_bvh_hierarchy(scanner, hierarchy); !status.ok()) return status;
+  if (const Status status = read_bvh_motion_header(scanner, motion, found); !status.ok()) return status;
+  const std::size_t channels = static_cast<std::size_t>(hierarchy.channels);
+  if (const Status status = read_bvh_values(scanner, channels, motion, found); !status.ok()) return status;
+
+  const std::size_t joints = static_cast<std::size_t>(hierarchy.joints);
+  if (motion.values.size() / channels > max_clip_positions / joints) return {Error::out_of_memory, -1};
+  Clip<S> result;
+  result.fps = static_cast<S>(1.0 / motion.frame_time);
+  result.metres_per_unit = 1;
+  result.frames = found.frames_read;
+  pose_bvh_clip(hierarchy, motion, result);
+  if (!all_finite(result)) return {Error::not_finite, -1};
+
+  found.roots = hierarchy.roots;
+  found.renamed = hierarchy.renamed;
+  for (std::size_t j = 0; j < joints; ++j) {
+    BvhNode& node = hierarchy.nodes[j];
+    result.skeleton.names.push_back(std::move(node.name));
+    result.skeleton.parents.push_back(node.parent);
+    found.rest.push_back(node.parent < 0 ? Vec3<double>(0, 0, 0)
+                                         : found.rest[static_cast<std::size_t>(node.parent)] + node.offset);
+  }
+  clip = std::move(result);
+  if (notes != nullptr) *notes = std::move(found);
+  return {};
+}
+
+}  // namespace rigless
