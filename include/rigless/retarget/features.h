@@ -1,0 +1,99 @@
+// What a control is learned from: its joint, and in what pose the whole body is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rigless/math/span.h"
+#include "rigless/math/types.h"
+#include "rigless/retarget/example.h"
+
+namespace rigless {
+
+// Poses over the P paired joints, each joint centred on its examples' mean and divided by their spread (RMS), so that
+// metres or inches, hands or hips weigh the same.
+//
+// The features of a control are [its joint, a * the whole pose]; of a control without a joint, the whole pose. The
+// whole pose is divided by sqrt(P), so that it weighs like one joint however many are paired. Where a control depends
+// on more than its joint (a squash while both knees bend), the joint alone is ambiguous.
+template <class S>
+class PoseFeatures {
+ public:
+  // clip: T x J and examples: N x J, finite. A single example has no spread, and examples that hardly differ in a joint
+  // say nothing about it: the spread is at least a tenth of the clip's. Allocates.
+  void bind(Span<const Vec3<S>> clip, Span<const Vec3<S>> examples, std::int32_t joint_count,
+            Span<const std::int32_t> paired) {
+    const bool single = examples.size() == static_cast<std::size_t>(joint_count);
+    const auto clip_spreads = joint_spreads(clip, joint_count);
+    const auto spreads = single ? clip_spreads : joint_spreads(examples, joint_count);
+    paired_.assign(paired.begin(), paired.end());
+    clip_ = normalise(clip, static_cast<std::size_t>(joint_count), spreads, clip_spreads);
+    examples_ = normalise(examples, static_cast<std::size_t>(joint_count), spreads, clip_spreads);
+  }
+
+  // The features of a control paired with `joint` (or -1): T x D and N x D. Allocates.
+  void features(std::int32_t joint, S pose_weight, std::vector<S>& clip, std::vector<S>& examples) const {
+    const auto found = std::find(paired_.begin(), paired_.end(), joint);
+    const bool own = joint >= 0 && found != paired_.end();
+    const auto slot = static_cast<std::size_t>(found - paired_.begin());
+    const S weight = (own ? pose_weight : S(1)) / std::sqrt(static_cast<S>(paired_.size()));
+    const auto fill = [&](const std::vector<Vec3<S>>& poses, std::vector<S>& out) {
+      out.clear();
+      for (std::size_t first = 0; first < poses.size(); first += paired_.size()) {
+        if (own) out.insert(out.end(), poses[first + slot].data(), poses[first + slot].data() + 3);
+        for (std::size_t p = 0; p < paired_.size(); ++p)
+          for (int axis = 0; axis < 3; ++axis) out.push_back(weight * poses[first + p][axis]);
+      }
+    };
+    fill(clip_, clip);
+    fill(examples_, examples);
+  }
+
+ private:
+  std::vector<Vec3<S>> normalise(Span<const Vec3<S>> poses, std::size_t joints,
+                                 const std::vector<JointSpread<S>>& spreads,
+                                 const std::vector<JointSpread<S>>& clip_spreads) const {
+    std::vector<Vec3<S>> out;
+    for (std::size_t first = 0; first < poses.size(); first += joints) {
+      for (const std::int32_t index : paired_) {
+        const auto j = static_cast<std::size_t>(index);
+        const S rms = std::max(spreads[j].rms, clip_spreads[j].rms / S(10));
+        out.push_back((poses[first + j] - spreads[j].mean) / (rms > S(1e-9) ? rms : S(1)));
+      }
+    }
+    return out;
+  }
+
+  std::vector<std::int32_t> paired_;      // P
+  std::vector<Vec3<S>> clip_, examples_;  // T x P, N x P
+};
+
+// One centre per control and one spread for all controls of a mesh, over N x C positions. Examples that do not differ
+// get the spread 1. Allocates.
+template <class S>
+struct ControlSpace {
+  std::vector<Vec3<S>> centre;  // C
+  S spread = 1;
+
+  static ControlSpace of(Span<const Vec3<S>> controls, std::size_t control_count) {
+    ControlSpace space;
+    const std::size_t examples = controls.size() / control_count;
+    space.centre.assign(control_count, Vec3<S>::Zero());
+    for (std::size_t i = 0; i < controls.size(); ++i) space.centre[i % control_count] += controls[i];
+    for (Vec3<S>& c : space.centre) c /= static_cast<S>(examples);
+    S sum = 0;
+    for (std::size_t i = 0; i < controls.size(); ++i)
+      sum += (controls[i] - space.centre[i % control_count]).squaredNorm();
+    const S rms = std::sqrt(sum / static_cast<S>(controls.size()));
+    if (rms > S(1e-9)) space.spread = rms;
+    return space;
+  }
+
+  Vec3<S> in(const Vec3<S>& p, std::size_t control) const { return (p - centre[control]) / spread; }
+  Vec3<S> out(const Vec3<S>& p, std::size_t control) const { return centre[control] + spread * p; }
+};
+
+}  // namespace rigless

@@ -1,0 +1,190 @@
+// Human motion in, control tracks out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "rigless/math/span.h"
+#include "rigless/math/status.h"
+#include "rigless/math/types.h"
+#include "rigless/retarget/constraints.h"
+#include "rigless/retarget/example.h"
+#include "rigless/retarget/features.h"
+#include "rigless/retarget/spacetime.h"
+
+namespace rigless {
+
+template <class S>
+struct RetargetOptions {
+  S fps = 30;                 // of the clip
+  S smoothness = S(0.3);      // lambda_A at 30 fps; at other rates times (fps / 30)^2
+  S pose_weight = S(0.5);     // a: how much the whole pose counts beside the control's joint
+  WeightOptions<S> weights;   // all examples, locality .03, weights sum to 1
+  S offset_weight = S(0.05);  // offset track of constrained controls; 0: none
+  S offset_acceleration = 3;  // at 30 fps
+  S compliance = S(1e-9);     // of hard constraints
+};
+
+template <class S>
+struct RetargetInput {
+  Span<const Vec3<S>> joints;      // T x J, body-local metres
+  std::int32_t joint_count = 0;    // J
+  Span<const std::int32_t> pairs;  // C: joint that drives each control, or -1: the whole pose
+  Examples<S> examples;            // N x J, N x C
+  Constraints<S> constraints;      // track: control; mesh-local units (per frame)
+};
+
+// Retargets a clip: normalises examples and clip, solves the spacetime system over all controls, and puts the tracks
+// back into mesh-local units. The examples' own poses give their own controls as far as smoothness lets them.
+//
+// begin(), then advance() until it returns false, then finish(). Computes in double whatever S is: the normal equations
+// square the condition number, and the time goes into memory and small matrices anyway.
+template <class S>
+class Retargeter {
+ public:
+  // Copies what it needs. Allocates. Errors: no_frames; no_controls; no_examples; size_mismatch; index_out_of_range
+  // (a pair or constraint; where: control or constraint); not_finite (a joint of the clip, where: frame; a control of
+  // an example, where: example). On failure the previous run is kept.
+  Status begin(const RetargetInput<S>& input, const RetargetOptions<S>& options) {
+    const Status status = check(input);
+    if (!status.ok()) return status;
+    const auto joints = static_cast<std::size_t>(input.joint_count);
+    const auto frames = static_cast<std::int32_t>(input.joints.size() / joints);
+    const std::size_t controls = input.pairs.size();
+
+    const std::vector<Vec3<double>> clip = widen(input.joints), example_controls = widen(input.examples.controls);
+    std::vector<Vec3<double>> example_joints = widen(input.examples.joints);
+    const std::vector<std::int32_t> paired = paired_joints(input.pairs, input.joint_count);
+    fill_unknown_joints<double>(clip, paired, input.joint_count, example_joints);
+
+    Inputs next;
+    next.space = ControlSpace<double>::of(example_controls, controls);
+    PoseFeatures<double> poses;
+    poses.bind(clip, example_joints, input.joint_count, paired);
+    next.clip.resize(controls);
+    next.examples.resize(controls);
+    next.controls.resize(controls);
+    std::vector<TrackInput<double>> tracks;
+    for (std::size_t c = 0; c < controls; ++c) {
+      poses.features(input.pairs[c], static_cast<double>(options.pose_weight), next.clip[c], next.examples[c]);
+      for (std::size_t i = c; i < example_controls.size(); i += controls)
+        next.controls[c].push_back(next.space.in(example_controls[i], c));
+      tracks.push_back({next.clip[c], next.examples[c], next.controls[c]});
+    }
+    const Status begun =
+        solver_.begin(tracks, frames, normalised(input.constraints, next.space), solver_options(options));
+    if (!begun.ok()) return begun;
+    inputs_ = std::move(next);
+    frames_ = static_cast<std::size_t>(frames);
+    return {};
+  }
+
+  // Works on for about `budget` frames of one control. Returns true while work is left.
+  bool advance(std::int32_t budget) { return solver_.advance(budget); }
+  double progress() const { return solver_.progress(); }
+
+  // The tracks, T x C, mesh-local. Allocates. Errors: factorization_failed (where: frame); then `tracks` is untouched.
+  Status finish(std::vector<Vec3<S>>& tracks) {
+    const Status status = solver_.finish();
+    if (!status.ok()) return status;
+    const std::size_t controls = inputs_.controls.size();
+    tracks.resize(frames_ * controls);
+    for (std::size_t c = 0; c < controls; ++c) {
+      const auto track = solver_.track(static_cast<std::int32_t>(c));
+      for (std::size_t f = 0; f < frames_; ++f)
+        tracks[f * controls + c] = inputs_.space.out(track[f], c).template cast<S>();
+    }
+    return {};
+  }
+
+  // T x N weights of one control, and how far each constraint is missed, mesh-local units.
+  Span<const double> weights(std::int32_t control) const { return solver_.weights(control); }
+  double residual(std::size_t constraint) const { return solver_.residuals()[constraint] * inputs_.space.spread; }
+
+ private:
+  static std::vector<Vec3<double>> widen(Span<const Vec3<S>> points) {
+    std::vector<Vec3<double>> out;
+    out.reserve(points.size());
+    for (const Vec3<S>& p : points) out.push_back(p.template cast<double>());
+    return out;
+  }
+
+  static Status check(const RetargetInput<S>& in) {
+    if (in.joint_count <= 0 || in.joints.empty()) return {Error::no_frames, -1};
+    const auto joints = static_cast<std::size_t>(in.joint_count);
+    const std::size_t controls = in.pairs.size();
+    if (controls == 0) return {Error::no_controls, -1};
+    const std::size_t examples = in.examples.controls.size() / controls;
+    if (examples == 0) return {Error::no_examples, -1};
+    if (in.joints.size() % joints != 0 || in.examples.controls.size() != examples * controls ||
+        in.examples.joints.size() != examples * joints)
+      return {Error::size_mismatch, -1};
+    for (std::size_t c = 0; c < controls; ++c)
+      if (in.pairs[c] < -1 || in.pairs[c] >= in.joint_count)
+        return {Error::index_out_of_range, static_cast<std::int32_t>(c)};
+    for (std::size_t i = 0; i < in.joints.size(); ++i)
+      if (!in.joints[i].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(i / joints)};
+    for (std::size_t i = 0; i < in.examples.controls.size(); ++i)
+      if (!in.examples.controls[i].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(i / controls)};
+    return {};
+  }
+
+  static SpacetimeOptions<double> solver_options(const RetargetOptions<S>& options) {
+    const double rate = static_cast<double>(options.fps) / 30;
+    SpacetimeOptions<double> out;
+    out.weights.locality = static_cast<double>(options.weights.locality);
+    out.weights.soft_affine = static_cast<double>(options.weights.soft_affine);
+    out.weights.nearest = options.weights.nearest;
+    out.weights.tikhonov = static_cast<double>(options.weights.tikhonov);
+    out.track.acceleration = static_cast<double>(options.smoothness) * rate * rate;
+    out.track.offset_weight = static_cast<double>(options.offset_weight);
+    out.track.offset_acceleration = static_cast<double>(options.offset_acceleration) * rate * rate;
+    out.compliance = static_cast<double>(options.compliance);
+    return out;
+  }
+
+  // Constraints that name a control which does not exist pass through: the solver reports them.
+  static Constraints<double> normalised(const Constraints<S>& in, const ControlSpace<double>& space) {
+    const auto centre = [&](std::int32_t control) {
+      const bool exists = control >= 0 && static_cast<std::size_t>(control) < space.centre.size();
+      return exists ? space.centre[static_cast<std::size_t>(control)] : Vec3<double>::Zero().eval();
+    };
+    Constraints<double> out;
+    for (const auto& c : in.positions) {
+      const Vec3<double> position = (c.position.template cast<double>() - centre(c.track)) / space.spread;
+      out.positions.push_back({c.track, c.frame, position, c.axes});
+    }
+    for (const auto& c : in.velocities)
+      out.velocities.push_back({c.track, c.frame, c.velocity.template cast<double>() / space.spread, c.axes});
+    for (const auto& c : in.heights) {
+      const double centres = centre(c.track).y() - centre(c.other).y();
+      out.heights.push_back({c.track, c.other, c.frame, (static_cast<double>(c.difference) - centres) / space.spread});
+    }
+    return out;
+  }
+
+  // The solver looks at these arrays until it is done; moving the vectors does not move what they hold.
+  struct Inputs {
+    ControlSpace<double> space;
+    std::vector<std::vector<double>> clip, examples;  // C x (T x D), C x (N x D)
+    std::vector<std::vector<Vec3<double>>> controls;  // C x N
+  };
+  Inputs inputs_;
+  std::size_t frames_ = 0;
+  SpacetimeSolver<double> solver_;
+};
+
+// The whole of it in one call; see Retargeter. Allocates.
+template <class S>
+Status retarget(const RetargetInput<S>& input, const RetargetOptions<S>& options, std::vector<Vec3<S>>& tracks) {
+  Retargeter<S> run;
+  const Status status = run.begin(input, options);
+  if (!status.ok()) return status;
+  while (run.advance(1 << 20)) {
+  }
+  return run.finish(tracks);
+}
+
+}  // namespace rigless

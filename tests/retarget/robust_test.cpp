@@ -1,0 +1,76 @@
+// The product's defaults on real motions with a noisy hand, against the reference figures.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "rigless/retarget/spacetime.h"
+#include "support/json.h"
+
+using rigless::Vec3;
+
+namespace {
+
+std::vector<double> flat(const rigless::json::Value& rows) {
+  std::vector<double> out;
+  for (const auto& row : rows.array())
+    for (const auto& x : row.array()) out.push_back(x.number());
+  return out;
+}
+
+struct Figures {
+  double rmse = 0;
+  double largest_weight = 0;
+};
+
+Figures run(const rigless::json::Value& item, const rigless::SpacetimeOptions<double>& options) {
+  const std::size_t tracks = item["J"].size(), frames = item["J"][0].size();
+  std::vector<std::vector<double>> features, examples;
+  std::vector<std::vector<Vec3<double>>> controls;
+  for (std::size_t k = 0; k < tracks; ++k) {
+    features.push_back(flat(item["J"][k]));
+    examples.push_back(flat(item["JE"][k]));
+    controls.push_back(item["CE_noisy"][k].vec3s<double>());
+  }
+  std::vector<rigless::TrackInput<double>> inputs;
+  for (std::size_t k = 0; k < tracks; ++k) inputs.push_back({features[k], examples[k], controls[k]});
+  rigless::SpacetimeSolver<double> solver;
+  REQUIRE(solver.begin(inputs, static_cast<std::int32_t>(frames), {}, options).ok());
+  while (solver.advance(100)) {
+  }
+  REQUIRE(solver.finish().ok());
+  Figures out;
+  for (std::size_t k = 0; k < tracks; ++k) {
+    for (std::size_t f = 0; f < frames; ++f)
+      out.rmse += (solver.track(static_cast<std::int32_t>(k))[f] - item["truth"][k][f].vec3<double>()).squaredNorm();
+    for (const double w : solver.weights(static_cast<std::int32_t>(k)))
+      out.largest_weight = std::max(out.largest_weight, std::abs(w));
+  }
+  out.rmse = std::sqrt(out.rmse / static_cast<double>(tracks * frames));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("spacetime: the defaults do as well as the reference on walk, jump and hop") {
+  const auto file = rigless::json::parse_file(std::string(RIGLESS_TEST_DIR) + "golden/robust.json");
+  CHECK(file["items"].size() == 3);
+  for (const auto& item : file["items"].array()) {
+    CAPTURE(item["name"].string());
+    const auto& reference = item["reference"];
+    const Figures standard = run(item, {});
+    CHECK(standard.rmse <= 1.02 * reference["all_examples_locality_.03"]["rmse"].number());
+    CHECK(standard.largest_weight ==
+          doctest::Approx(reference["all_examples_locality_.03"]["max_abs_weight"].number()).epsilon(0.02));
+
+    rigless::SpacetimeOptions<double> nearby;
+    nearby.weights.locality = 0.01;
+    CHECK(run(item, nearby).rmse ==
+          doctest::Approx(reference["all_examples_locality_.01"]["rmse"].number()).epsilon(0.02));
+
+    const Figures paper = run(item, rigless::SpacetimeOptions<double>::thesis());
+    CHECK(paper.rmse == doctest::Approx(reference["thesis"]["rmse"].number()).epsilon(0.02));
+    MESSAGE(item["name"].string() << ": rmse " << standard.rmse << ", the paper's settings " << paper.rmse);
+  }
+}
