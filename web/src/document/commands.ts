@@ -1,0 +1,92 @@
+// Everything that can be done to a document. Each command is a small pure function; an unknown id or a value that is
+// already there gives the same document back.
+
+import type { Command } from "./store";
+import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings, Vec3 } from "./types";
+
+export const DEFAULT_SETTINGS: Settings = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
+
+/** A project that has a model and a motion and says nothing else yet. */
+export function newDocument(name: string, mesh: MeshRef, motion: MotionRef): ProjectDocument {
+  return { version: 1, name, mesh, motion, points: [], examples: [], settings: DEFAULT_SETTINGS };
+}
+
+export const renameProject = (name: string): Command => (document) => change(document, { name });
+
+/** Another model. Points and examples are places on the old one, so they go. */
+export const setMesh = (mesh: MeshRef): Command => (document) => ({ ...document, mesh, points: [], examples: [] });
+
+/** Says how the same model stands. Points and examples are in the file's own axes, so they stay. */
+export const turnMesh = (facing: Axis, up: Axis): Command => (document) =>
+  change(document, { mesh: change(document.mesh, { facing, up }) });
+
+/** Another motion. Examples stay: they know joints by name. */
+export const setMotion = (motion: MotionRef): Command => (document) => change(document, { motion });
+
+export const setSettings = (settings: Partial<Settings>): Command => (document) =>
+  change(document, { settings: change(document.settings, settings) });
+
+export const addPoint = (point: Point): Command => (document) =>
+  has(document.points, point.id) ? document : { ...document, points: [...document.points, point] };
+
+export const renamePoint = (id: string, name: string): Command => updatePoint(id, { name });
+
+/** Moves a point to another place on the rest surface. */
+export const movePoint = (id: string, position: Vec3): Command => updatePoint(id, { position });
+
+/** Lets a joint drive a point; null: it follows the whole pose. */
+export const pairPoint = (id: string, joint: string | null): Command => updatePoint(id, { joint });
+
+/** Radius of a point's disc in model heights. */
+export const resizePoint = (id: string, radius: number): Command => updatePoint(id, { radius });
+
+/** Takes a point away, from the examples too. */
+export const removePoint = (id: string): Command => (document) => {
+  if (!has(document.points, id)) return document;
+  const examples = document.examples.map((example) =>
+    Object.hasOwn(example.points, id)
+      ? { ...example, points: Object.fromEntries(Object.entries(example.points).filter(([key]) => key !== id)) }
+      : example);
+  return { ...document, points: document.points.filter((point) => point.id !== id), examples };
+};
+
+export const addExample = (example: Example): Command => (document) =>
+  has(document.examples, example.id) ? document : { ...document, examples: [...document.examples, example] };
+
+/** Moves points of an example; points that are not named stay where they are. */
+export const updateExample = (id: string, points: Readonly<Record<string, Vec3>>): Command => (document) =>
+  change(document, {
+    examples: replace(document.examples, id, (example) => ({ ...example, points: { ...example.points, ...points } })),
+  });
+
+export const removeExample = (id: string): Command => (document) =>
+  has(document.examples, id) ? { ...document, examples: document.examples.filter((example) => example.id !== id) } : document;
+
+/** "p4" for the prefix "p": an id that none of these has. */
+export function freeId(taken: readonly { readonly id: string }[], prefix: string): string {
+  let n = taken.length + 1;
+  while (has(taken, prefix + n)) n++;
+  return prefix + n;
+}
+
+function updatePoint(id: string, values: Partial<Point>): Command {
+  return (document) => change(document, { points: replace(document.points, id, (point) => change(point, values)) });
+}
+
+/** The same object if all these values are there already. */
+function change<T extends object>(object: T, values: Partial<T>): T {
+  const changed = (Object.keys(values) as (keyof T)[]).some((key) => object[key] !== values[key]);
+  return changed ? { ...object, ...values } : object;
+}
+
+/** The same list if the item is not in it or does not change. */
+function replace<T extends { readonly id: string }>(list: readonly T[], id: string, update: (item: T) => T): readonly T[] {
+  const at = list.findIndex((item) => item.id === id);
+  if (at < 0) return list;
+  const item = update(list[at]);
+  return item === list[at] ? list : list.with(at, item);
+}
+
+function has(list: readonly { readonly id: string }[], id: string): boolean {
+  return list.some((item) => item.id === id);
+}

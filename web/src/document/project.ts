@@ -1,0 +1,68 @@
+// A project file's text to a document and back. docs/project-format.md explains each field.
+
+import schema from "./project-schema.json";
+import { findFault, withDefaults } from "./schema";
+import type { ProjectDocument } from "./types";
+
+const VERSION = 1;
+
+/** A project that cannot be opened. `message` names the file and the field and is made to be shown. */
+export class DocumentError extends Error {
+  constructor(message: string) {
+    super(message);
+    this.name = "DocumentError";
+  }
+}
+
+/**
+ * Reads a project, with the defaults where it says nothing.
+ * Errors (DocumentError): not JSON; saved by a newer version; a field that is missing, unknown or of another kind; two points or
+ * examples with one id; an example that places a point that does not exist.
+ */
+export function parseProject(text: string, fileName: string): { document: ProjectDocument } {
+  const value = parseJson(text, fileName);
+  const version = typeof value === "object" && value !== null && "version" in value ? value.version : undefined;
+  if (typeof version === "number" && version > VERSION) {
+    throw new DocumentError(
+      `${fileName}: This project was saved by a newer Rigless (version ${version}). This one reads version ${VERSION}; reload the page or update to open it.`);
+  }
+  const fault = findFault(value, schema, schema);
+  if (fault) throw new DocumentError(`${fileName}: ${fault}`);
+  const document = withDefaults(value, schema, schema) as ProjectDocument;
+  const broken = brokenReference(document);
+  if (broken) throw new DocumentError(`${fileName}: ${broken}`);
+  return { document };
+}
+
+/** The text of a project file: two spaces deep, each list of numbers on one line. */
+export function serializeProject(document: ProjectDocument): string {
+  const text = JSON.stringify(document, null, 2);
+  // A string of JSON never holds a line break, so this meets lists only.
+  return text.replace(/\[\n\s+([-+.\deE,\s]+?)\n\s+\]/g, (_, numbers: string) => `[${numbers.replace(/\s+/g, " ")}]`) + "\n";
+}
+
+function parseJson(text: string, fileName: string): unknown {
+  if (text.trim() === "") throw new DocumentError(`${fileName} is empty.`);
+  try {
+    return JSON.parse(text.replace(/^\uFEFF/, ""));
+  } catch (error) {
+    throw new DocumentError(`${fileName} is not whole JSON: ${error instanceof Error ? error.message : String(error)}.`);
+  }
+}
+
+/** What the schema cannot say. */
+function brokenReference({ points, examples }: ProjectDocument): string | null {
+  const ids = new Set<string>();
+  for (const [n, { id }] of points.entries()) {
+    if (ids.has(id)) return `points[${n}].id is "${id}", which another point has already.`;
+    ids.add(id);
+  }
+  const exampleIds = new Set<string>();
+  for (const [n, example] of examples.entries()) {
+    if (exampleIds.has(example.id)) return `examples[${n}].id is "${example.id}", which another example has already.`;
+    exampleIds.add(example.id);
+    const stranger = Object.keys(example.points).find((id) => !ids.has(id));
+    if (stranger !== undefined) return `examples[${n}].points places "${stranger}", but no point has this id.`;
+  }
+  return null;
+}

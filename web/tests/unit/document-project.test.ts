@@ -1,0 +1,156 @@
+import Ajv from "ajv/dist/2020";
+import { describe, expect, it } from "vitest";
+
+import { DocumentError, parseProject, serializeProject } from "../../src/document/project";
+import schema from "../../src/document/project-schema.json";
+import { KEYWORDS } from "../../src/document/schema";
+import type { ProjectDocument } from "../../src/document/types";
+
+const project: ProjectDocument = {
+  version: 1,
+  name: "Cow \"walk\"\n[ 1, 2 ]",
+  mesh: { file: "cow.obj", facing: "+x", up: "+y" },
+  motion: { files: ["02.asf", "02_01.amc"] },
+  points: [
+    { id: "p1", name: "left hand", position: [0.1, -2e-7, 3], joint: "lhand" },
+    { id: "p2", name: "top", position: [1, 2, 3], joint: null, radius: 0.1 },
+  ],
+  examples: [
+    { id: "e1", source: { motion: "02_01.amc", frame: 12 }, joints: { root: [0, 0, 0], lhand: [1, 2, 3] }, points: { p1: [1, 1, 1] } },
+    { id: "e2", source: { motion: "02_01.amc", frame: 40 }, joints: { root: [0, 0, 0] }, points: {} },
+  ],
+  settings: { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false },
+};
+
+type Path = readonly (string | number)[];
+type Branch = Record<string | number, unknown>;
+
+/** A copy with another value at a path; undefined takes the field away. */
+function altered(path: Path, value: unknown): ProjectDocument {
+  const copy = structuredClone(project);
+  const owner = path.slice(0, -1).reduce((at: unknown, key) => (at as Branch)[key], copy) as Branch;
+  const key = path[path.length - 1];
+  if (value === undefined) delete owner[key];
+  else owner[key] = value;
+  return copy;
+}
+
+function messageOf(text: string): string {
+  try {
+    parseProject(text, "cow.json");
+  } catch (error) {
+    expect(error).toBeInstanceOf(DocumentError);
+    return (error as DocumentError).message;
+  }
+  throw new Error("was accepted");
+}
+
+describe("project files", () => {
+  it("come back as they went", () => {
+    const text = serializeProject(project);
+    expect(parseProject(text, "cow.json").document).toEqual(project);
+    expect(serializeProject(parseProject(text, "cow.json").document)).toBe(text);
+    expect(text).toContain('"position": [0.1, -2e-7, 3]');
+  });
+
+  it("get defaults where they say nothing", () => {
+    const text = JSON.stringify({ version: 1, mesh: { file: "a.obj" }, motion: { files: ["a.bvh"] }, points: [], settings: { volume: 2 } });
+    expect(parseProject(text, "a.json").document).toEqual({
+      version: 1, name: "", mesh: { file: "a.obj", facing: "+z", up: "+y" }, motion: { files: ["a.bvh"] }, points: [], examples: [],
+      settings: { volume: 2, smoothness: 0.3, groundContact: true, inPlace: false },
+    });
+  });
+
+  it.each<[string, Path, unknown]>([
+    ["examples[0].points.p1 should be three numbers, but its second is null.", ["examples", 0, "points", "p1", 1], NaN],
+    ["examples[0].points.p1 should be three numbers, but it has 2.", ["examples", 0, "points", "p1"], [1, 2]],
+    ['examples[1].joints["left hand"] should be three numbers, but its first is "1".', ["examples", 1, "joints", "left hand"], ["1", 0, 0]],
+    ["points[1].position should be three numbers, but it is null.", ["points", 1, "position"], null],
+    ["points[0].joint should be a text or null, but it is 3.", ["points", 0, "joint"], 3],
+    ["points[0].joint is missing.", ["points", 0, "joint"], undefined],
+    ['points[0].id should be a text that is not empty, but it is "".', ["points", 0, "id"], ""],
+    ['points[1].id is "p1", which another point has already.', ["points", 1, "id"], "p1"],
+    ['examples[1].id is "e1", which another example has already.', ["examples", 1, "id"], "e1"],
+    ['examples[1].points places "gone", but no point has this id.', ["examples", 1, "points", "gone"], [0, 0, 0]],
+    ["examples[1].source.frame should be a whole number from 0 to 1000000000, but it is 1.5.", ["examples", 1, "source", "frame"], 1.5],
+    ['mesh.facing should be +x, -x, +y, -y, +z or -z, but it is "north".', ["mesh", "facing"], "north"],
+    ["mesh.file is missing.", ["mesh", "file"], undefined],
+    ["motion.files should be a list of 1 to 2 texts, but it has 0.", ["motion", "files"], []],
+    ["settings.volume should be a number from 0 to 3, but it is 9.", ["settings", "volume"], 9],
+    ['settings.groundContact should be true or false, but it is "yes".', ["settings", "groundContact"], "yes"],
+    ["settings.smoothnes is not a field that version 1 knows.", ["settings", "smoothnes"], 1],
+    ["points should be a list of objects, but it is an object.", ["points"], {}],
+    ['version should be 1, but it is "1".', ["version"], "1"],
+    ["version is missing.", ["version"], undefined],
+  ])("name the field: %s", (message, path, value) => {
+    expect(messageOf(JSON.stringify(altered(path, value)))).toBe(`cow.json: ${message}`);
+  });
+
+  it("refuse numbers too large to be one", () => {
+    const text = JSON.stringify(project).replace("[1,1,1]", "[1,1e999,1]");
+    expect(messageOf(text)).toBe("cow.json: examples[0].points.p1 should be three numbers, but its second is Infinity.");
+  });
+
+  it("say so when a newer Rigless saved them", () => {
+    expect(messageOf(JSON.stringify(altered(["version"], 2)))).toContain("This project was saved by a newer Rigless (version 2).");
+  });
+
+  it.each([
+    ["", "cow.json is empty."],
+    ["[1, 2, 3]", "cow.json: It should be an object, but it is a list of 3."],
+    ["null", "cow.json: It should be an object, but it is null."],
+  ])("that are not projects: %s", (text, message) => {
+    expect(messageOf(text)).toBe(message);
+  });
+
+  it("cut short are named", () => {
+    expect(messageOf(serializeProject(project).slice(0, 200))).toMatch(/^cow\.json is not whole JSON: /);
+  });
+
+  it("keep strange joint names apart from what every object has", () => {
+    const text = JSON.stringify(project).replace('"lhand":[1,2,3]', '"__proto__":[1,2,3],"constructor":[4,5,6]');
+    const joints = parseProject(text, "cow.json").document.examples[0].joints;
+    expect(Object.keys(joints)).toEqual(["root", "__proto__", "constructor"]);
+  });
+});
+
+describe("the schema", () => {
+  const ajv = new Ajv({ strictTypes: false });
+  const accepts = ajv.compile(schema);
+
+  it("uses no keyword that is not interpreted", () => {
+    const names = new Set<string>();
+    const walk = (rule: object): void => {
+      for (const [key, value] of Object.entries(rule)) {
+        names.add(key);
+        if (key === "properties" || key === "$defs") Object.values<object>(value).forEach(walk);
+        if ((key === "items" || key === "additionalProperties") && typeof value === "object") walk(value);
+      }
+    };
+    walk(schema);
+    expect([...names].filter((name) => !KEYWORDS.some((known) => known === name))).toEqual([]);
+  });
+
+  it("means the same to a general validator", () => {
+    expect(accepts(project)).toBe(true);
+    const values = [null, true, -1, 0, 0.5, 2, 1e13, "", "+x", "text", [], [1, 2, 3], [1, null, 3], {}, { a: [1, 2, 3] }];
+    const paths: Path[] = [
+      ["version"], ["name"], ["mesh"], ["mesh", "file"], ["mesh", "up"], ["mesh", "more"], ["motion", "files"],
+      ["points", 0, "position"], ["points", 0, "joint"], ["points", 1, "radius"], ["examples"], ["examples", 0, "source"],
+      ["examples", 0, "source", "frame"], ["examples", 0, "joints"], ["examples", 0, "joints", "root"], ["settings"], ["settings", "inPlace"],
+    ];
+    for (const path of paths) {
+      for (const value of values) {
+        const copy = altered(path, value);
+        const ours = (() => {
+          try {
+            return parseProject(JSON.stringify(copy), "x") !== null;
+          } catch {
+            return false;
+          }
+        })();
+        expect(ours, `${path.join(".")} = ${JSON.stringify(value)}`).toBe(accepts(copy));
+      }
+    }
+  });
+});

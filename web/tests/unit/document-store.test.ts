@@ -1,0 +1,142 @@
+import { expect, it } from "vitest";
+
+import {
+  addExample, addPoint, freeId, movePoint, newDocument, pairPoint, removeExample, removePoint, renamePoint, renameProject, resizePoint,
+  setMesh, setMotion, setSettings, turnMesh, updateExample,
+} from "../../src/document/commands";
+import { type Command, DocumentStore } from "../../src/document/store";
+import type { ProjectDocument } from "../../src/document/types";
+
+const start: ProjectDocument = [
+  addPoint({ id: "p1", name: "top", position: [0, 1, 0], joint: "head" }),
+  addPoint({ id: "p2", name: "side", position: [1, 0, 0], joint: null }),
+  addExample({ id: "e1", source: { motion: "a.bvh", frame: 3 }, joints: { root: [0, 0, 0] }, points: { p1: [0, 2, 0], p2: [2, 0, 0] } }),
+].reduce((document, command) => command(document), newDocument("bean", { file: "bean.obj", facing: "+z", up: "+y" }, { files: ["a.bvh"] }));
+
+const steps: Command[] = [
+  renameProject("bean 2"),
+  turnMesh("-x", "+z"),
+  renamePoint("p1", "crown"),
+  movePoint("p1", [0, 1.5, 0]),
+  pairPoint("p2", "lhand"),
+  resizePoint("p2", 0.1),
+  addPoint({ id: "p3", name: "foot", position: [0, 0, 0], joint: null }),
+  updateExample("e1", { p3: [0, 0, 1] }),
+  setSettings({ volume: 2.5 }),
+  removePoint("p1"),
+  setMotion({ files: ["b.asf", "b.amc"] }),
+  removeExample("e1"),
+  setMesh({ file: "cow.obj", facing: "+z", up: "+y" }),
+];
+
+it("undo as often as there were steps gives the start, redo the end, exactly", () => {
+  const store = new DocumentStore(start);
+  const seen = [start, ...steps.map((step) => (store.apply(step), store.document))];
+  expect(new Set(seen).size).toBe(steps.length + 1);
+  const snapshots = seen.map((document) => structuredClone(document));
+  for (let n = steps.length - 1; n >= 0; n--) {
+    store.undo();
+    expect(store.document).toBe(seen[n]);
+  }
+  expect(store.canUndo).toBe(false);
+  for (let n = 1; n <= steps.length; n++) {
+    store.redo();
+    expect(store.document).toBe(seen[n]);
+  }
+  expect(store.canRedo).toBe(false);
+  expect(seen).toEqual(snapshots); // no command wrote into a document
+});
+
+it("documents share what did not change", () => {
+  const next = renamePoint("p1", "crown")(start);
+  expect(next.points[1]).toBe(start.points[1]);
+  expect(next.examples).toBe(start.examples);
+});
+
+it("one gesture is one step", () => {
+  const store = new DocumentStore(start);
+  const drag = Symbol();
+  for (let n = 1; n <= 40; n++) store.apply(setSettings({ volume: n / 20 }), drag);
+  store.apply(setSettings({ smoothness: 1 }), Symbol());
+  store.undo();
+  expect(store.document.settings).toEqual({ ...start.settings, volume: 2 });
+  store.undo();
+  expect(store.document).toBe(start);
+});
+
+it("a gesture that goes on after an undo is a new step", () => {
+  const store = new DocumentStore(start);
+  const drag = Symbol();
+  store.apply(setSettings({ volume: 2 }), drag);
+  store.undo();
+  store.apply(setSettings({ volume: 3 }), drag);
+  store.undo();
+  expect(store.document).toBe(start);
+});
+
+it("a cancelled gesture leaves no trace", () => {
+  const store = new DocumentStore(start);
+  store.apply(renameProject("other"));
+  store.undo();
+  const drag = Symbol();
+  store.apply(setSettings({ volume: 2 }), drag);
+  store.apply(setSettings({ volume: 3 }), drag);
+  store.cancel(drag);
+  expect(store.document).toBe(start);
+  expect(store.canUndo).toBe(false);
+  store.redo();
+  expect(store.document.name).toBe("other");
+  store.cancel(drag);
+  expect(store.document.name).toBe("other");
+});
+
+it("what changes nothing is no step", () => {
+  const store = new DocumentStore(start);
+  let calls = 0;
+  store.subscribe(() => calls++);
+  const nothing = [
+    renameProject("bean"), renamePoint("p1", "top"), renamePoint("nobody", "x"), pairPoint("p1", "head"), removePoint("nobody"),
+    removeExample("nobody"), setSettings({ volume: 1 }), addPoint({ ...start.points[0], name: "again" }), updateExample("nobody", {}),
+    turnMesh("+z", "+y"),
+  ];
+  for (const command of nothing) store.apply(command);
+  store.undo();
+  store.redo();
+  expect(store.document).toBe(start);
+  expect(store.canUndo).toBe(false);
+  expect(calls).toBe(0);
+});
+
+it("a removed point leaves the examples too", () => {
+  expect(removePoint("p1")(start).examples[0].points).toEqual({ p2: [2, 0, 0] });
+});
+
+it("another model forgets places on the old one; turning keeps them", () => {
+  expect(setMesh({ file: "cow.obj", facing: "+z", up: "+y" })(start)).toMatchObject({ points: [], examples: [] });
+  expect(turnMesh("-z", "+y")(start).points).toBe(start.points);
+});
+
+it("listeners hear each change once, with what was before, until they end it", () => {
+  const store = new DocumentStore(start);
+  const heard: [string, string][] = [];
+  const end = store.subscribe((document, previous) => heard.push([previous.name, document.name]));
+  store.apply(renameProject("a"));
+  store.undo();
+  store.redo();
+  store.replace(start);
+  end();
+  store.apply(renameProject("b"));
+  expect(heard).toEqual([["bean", "a"], ["a", "bean"], ["bean", "a"], ["a", "bean"]]);
+});
+
+it("another project cannot be undone into the old one", () => {
+  const store = new DocumentStore(start);
+  store.apply(renameProject("a"));
+  store.replace(start);
+  expect([store.canUndo, store.canRedo]).toEqual([false, false]);
+});
+
+it("a free id is one that nobody has", () => {
+  expect(freeId(start.points, "p")).toBe("p3");
+  expect(freeId(removePoint("p1")(start).points, "p")).toBe("p3");
+});
