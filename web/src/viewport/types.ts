@@ -33,6 +33,8 @@ export interface Dot {
   vertex: number;
   /** Joint, or -1 while unpaired. */
   joint: number;
+  /** The pair is our guess: its line is dashed pencil. */
+  guess?: boolean;
 }
 
 export type ViewMode =

@@ -1,0 +1,183 @@
+// Numbered marks as real buttons over the picture: crisp, focusable, each projected anew every frame.
+
+import type { Projected } from "./camera-rig";
+import type { Dot } from "./types";
+
+export type Figure = "model" | "human";
+
+export interface DotHit {
+  id: string;
+  on: Figure;
+}
+
+export interface DotMark extends DotHit {
+  readonly dot: Dot;
+  readonly button: HTMLButtonElement;
+  readonly at: Projected;
+  behind: boolean;
+}
+
+const COLOURS = ["#d55e00", "#56b4e9", "#e69f00", "#0072b2", "#cc79a7", "#009e73", "#17212b"];
+
+/** A point's colour as CSS; from 8 on the order repeats. */
+export function dotColour(number: number): string {
+  const i = (number - 1) % COLOURS.length;
+  return `var(--p${i + 1}, ${COLOURS[i]})`;
+}
+
+export class DotOverlay {
+  readonly element = document.createElement("div");
+  /** Model marks first, by number: the order of the Tab key. */
+  marks: DotMark[] = [];
+  private readonly tag = document.createElement("div");
+  private hover: DotHit | null = null;
+  private selected: string | null = null;
+  private held: string | null = null;
+  private pulsing: string | null = null;
+
+  constructor() {
+    this.element.className = "marks";
+    this.element.setAttribute("role", "group");
+    this.element.setAttribute("aria-label", "Points");
+    this.tag.className = "tag";
+    this.tag.hidden = true;
+    this.element.append(this.tag);
+  }
+
+  /** `label` names a joint for people. */
+  setDots(dots: readonly Dot[], selected: string | null, label: (joint: number) => string): void {
+    const old = new Map(this.marks.map((mark) => [mark.on + mark.id, mark]));
+    const marks: DotMark[] = [];
+    for (const on of ["model", "human"] as const) {
+      for (const dot of dots) {
+        if (on === "human" && dot.joint < 0) continue;
+        const before = old.get(on + dot.id);
+        old.delete(on + dot.id);
+        const mark: DotMark = { id: dot.id, on, dot, button: before?.button ?? this.newButton(on), at: before?.at ?? { x: -99, y: -99, depth: 0 }, behind: before?.behind ?? false };
+        dress(mark, dot.joint < 0 ? null : label(dot.joint));
+        marks.push(mark);
+      }
+    }
+    for (const gone of old.values()) gone.button.remove();
+    // Only what moved is moved: taking a focused button out of the tree would drop the focus.
+    marks.forEach((mark, i) => {
+      if (this.element.children[i] !== mark.button) this.element.insertBefore(mark.button, this.element.children[i] ?? null);
+    });
+    this.marks = marks;
+    this.selected = selected;
+    if (this.pulsing) this.pulse(this.pulsing);
+    this.refresh();
+  }
+
+  find(id: string, on: Figure): DotMark | null {
+    return this.marks.find((mark) => mark.id === id && mark.on === on) ?? null;
+  }
+
+  owner(button: EventTarget | null): DotMark | null {
+    return this.marks.find((mark) => mark.button === button) ?? null;
+  }
+
+  setHover(hit: DotHit | null): boolean {
+    if (hit?.id === this.hover?.id && hit?.on === this.hover?.on) return false;
+    this.hover = hit;
+    this.refresh();
+    return true;
+  }
+
+  setHeld(id: string | null): void {
+    this.held = id;
+    if (id !== null && id === this.pulsing) this.pulse(null);
+    this.refresh();
+  }
+
+  /** Two rings around a dot of the model, three times, for a first visit. */
+  pulse(id: string | null): void {
+    this.pulsing = id;
+    for (const mark of this.marks) mark.button.classList.toggle("pulse", mark.id === id && mark.on === "model");
+  }
+
+  /** Of the dots within reach the nearest, but one in front before any behind the mesh. */
+  nearest(x: number, y: number, reach: number): DotHit | null {
+    let best: DotMark | null = null;
+    let least = Infinity;
+    for (const mark of this.marks) {
+      if (mark.button.hidden) continue;
+      const away = Math.hypot(mark.at.x - x, mark.at.y - y);
+      const cost = away + (mark.behind ? 1e3 : 0);
+      if (away <= reach && cost < least) {
+        best = mark;
+        least = cost;
+      }
+    }
+    return best && { id: best.id, on: best.on };
+  }
+
+  /** Puts every button at its mark's projection, on whole device pixels so that numbers stay sharp. */
+  place(): void {
+    const ratio = window.devicePixelRatio || 1;
+    const snap = (value: number): number => Math.round(value * ratio) / ratio;
+    for (const { button, at, behind } of this.marks) {
+      button.hidden = at.depth <= 0.05;
+      button.style.transform = `translate(${snap(at.x)}px, ${snap(at.y)}px)`;
+      button.classList.toggle("behind", behind);
+    }
+  }
+
+  /** Shows words beside a point, to the left where the right edge is near; null hides them. */
+  showTag(words: string | null, at: Projected | null, gap: number): void {
+    this.tag.hidden = words === null || at === null;
+    if (words === null || at === null) return;
+    if (this.tag.textContent !== words) this.tag.textContent = words;
+    const width = this.tag.offsetWidth;
+    const right = at.x + gap + width < this.element.clientWidth - 4;
+    const x = right ? at.x + gap : Math.max(4, at.x - gap - width);
+    this.tag.style.transform = `translate(${Math.round(x)}px, ${Math.round(at.y - this.tag.offsetHeight / 2)}px)`;
+  }
+
+  /** The mark that the tag names: in the hand, else under the pointer, else with the keyboard's focus, else selected. */
+  named(): DotMark | null {
+    const focused = this.marks.find((mark) => mark.button.matches(":focus-visible"));
+    return (
+      (this.held !== null && this.find(this.held, "model")) ||
+      (this.hover && this.find(this.hover.id, this.hover.on)) ||
+      focused ||
+      (this.selected !== null ? this.find(this.selected, "model") : null)
+    );
+  }
+
+  /** Pairs whose line shows even outside the mode for points. */
+  hoveredPair(): string | null {
+    if (this.held !== null) return null;
+    return this.hover?.id ?? this.marks.find((mark) => mark.button.matches(":focus-visible"))?.id ?? null;
+  }
+
+  private newButton(on: Figure): HTMLButtonElement {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.tabIndex = on === "model" ? 0 : -1; // one stop per pair
+    button.append(document.createElement("span"));
+    return button;
+  }
+
+  private refresh(): void {
+    for (const mark of this.marks) {
+      const on = mark.id === this.selected || mark.id === this.held;
+      mark.button.classList.toggle("on", on);
+      mark.button.setAttribute("aria-pressed", String(mark.id === this.selected));
+      mark.button.classList.toggle("hover", mark.id === this.hover?.id && mark.on === this.hover.on && !on);
+    }
+  }
+}
+
+function dress({ button, dot, on }: DotMark, joint: string | null): void {
+  button.className = ["dot", on, joint === null ? "unpaired" : "", dot.number > COLOURS.length ? "square" : ""].join(" ").trim();
+  button.dataset["dot"] = dot.id;
+  const i = ((dot.number - 1) % COLOURS.length) + 1;
+  button.style.setProperty("--c", dotColour(dot.number));
+  button.style.setProperty("--on-c", `var(--on-p${i}, ${i === 4 || i === 7 ? "#fff" : "#0b1117"})`);
+  const span = button.firstElementChild as HTMLSpanElement;
+  span.className = "mark";
+  span.textContent = String(dot.number);
+  const pair = joint === null ? "not paired" : on === "model" ? `follows ${joint}` : `on the human: ${joint}`;
+  button.setAttribute("aria-label", `${dot.number}, ${dot.name}, ${pair}`);
+}

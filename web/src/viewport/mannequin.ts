@@ -1,0 +1,222 @@
+// The human: white clay capsules, a fuller torso, an egg for a head, no face.
+
+import { BufferAttribute, CylinderGeometry, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PlaneGeometry, Quaternion, ReplaceStencilOp, SphereGeometry, Vector3 } from "three";
+import { type BodyPlan, buildBodyPlan, highestLeaf, type Torso } from "./body-plan";
+import type { ContactShadow } from "./contact-shadow";
+import type { DrawnHuman } from "./types";
+
+const UP = new Vector3(0, 1, 0);
+const HEAD = { width: 0.088, height: 0.122, depth: 0.102 };
+
+export class Mannequin {
+  readonly group = new Group();
+  readonly plan: BodyPlan;
+  /** J x 3 world, what is drawn now. */
+  pose: Float32Array | null = null;
+  private readonly material = new MeshStandardMaterial({
+    color: "#f4f5f6",
+    roughness: 0.75,
+    metalness: 0,
+    stencilWrite: true,
+    stencilRef: 1,
+    stencilZPass: ReplaceStencilOp,
+  });
+  private readonly rods: InstancedMesh;
+  private readonly balls: InstancedMesh;
+  private readonly head = new Mesh(eggGeometry(), this.material);
+  private readonly torso: TorsoSkin | null;
+  private headJoint: number;
+  private readonly matrix = new Matrix4();
+  private readonly turn = new Quaternion();
+  private readonly a = new Vector3();
+  private readonly b = new Vector3();
+  private readonly c = new Vector3();
+
+  constructor(private readonly human: DrawnHuman) {
+    this.plan = buildBodyPlan(human);
+    this.headJoint = this.plan.head;
+    const { bones, torso } = this.plan;
+    this.rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 20, 1, true), this.material, bones.length);
+    this.balls = new InstancedMesh(new SphereGeometry(1, 20, 14), this.material, 2 * bones.length);
+    this.torso = torso ? new TorsoSkin(torso, this.material) : null;
+    const parts = [this.rods, this.balls, this.head, ...(this.torso ? [this.torso.mesh] : [])];
+    for (const part of parts) {
+      part.castShadow = part.receiveShadow = true;
+      part.frustumCulled = false;
+      this.group.add(part);
+    }
+    this.group.visible = false;
+  }
+
+  setPose(pose: Float32Array): void {
+    this.pose = pose;
+    if (this.headJoint < 0) this.headJoint = highestLeaf(this.human, this.plan.joints, pose);
+    this.group.visible = true;
+    this.plan.bones.forEach((bone, i) => {
+      const a = this.joint(bone.from, this.a);
+      const b = this.joint(bone.to, this.b);
+      this.ball(2 * i, a, bone.radius);
+      this.ball(2 * i + 1, b, bone.radius);
+      const axis = this.c.subVectors(b, a);
+      const length = axis.length();
+      this.turn.setFromUnitVectors(UP, length > 1e-6 ? axis.divideScalar(length) : UP);
+      this.matrix.compose(a.add(b).multiplyScalar(0.5), this.turn, b.set(bone.radius, Math.max(length, 1e-6), bone.radius));
+      this.rods.setMatrixAt(i, this.matrix);
+    });
+    this.rods.instanceMatrix.needsUpdate = true;
+    this.balls.instanceMatrix.needsUpdate = true;
+    this.placeHead();
+    this.torso?.update(pose);
+  }
+
+  /** Darkens the ground under capsules that nearly touch it. */
+  darken(shadow: ContactShadow): void {
+    const { pose } = this;
+    if (!pose) return;
+    shadow.begin(pose[0]!, pose[2]!);
+    for (const { from, to, radius } of this.plan.bones) {
+      for (let t = 0; t <= 1; t += 0.25) {
+        this.a.fromArray(pose, 3 * from).lerp(this.b.fromArray(pose, 3 * to), t);
+        shadow.add(this.a.x, this.a.y - radius, this.a.z, radius);
+      }
+    }
+    shadow.end();
+  }
+
+  joint(index: number, out: Vector3): Vector3 {
+    return this.pose ? out.fromArray(this.pose, 3 * index) : out.set(0, 0, 0);
+  }
+
+  dispose(): void {
+    for (const mesh of [this.rods, this.balls, this.head]) mesh.geometry.dispose();
+    this.rods.dispose();
+    this.balls.dispose();
+    this.torso?.dispose();
+    this.material.dispose();
+  }
+
+  private ball(index: number, at: Vector3, radius: number): void {
+    this.matrix.makeScale(radius, radius, radius).setPosition(at);
+    this.balls.setMatrixAt(index, this.matrix);
+  }
+
+  /** Along head and end if the file has an end, else along neck and head. A short bone ends inside the skull, a long one on top of it. */
+  private placeHead(): void {
+    const { headTop } = this.plan;
+    const from = headTop >= 0 ? this.headJoint : (this.human.parents[this.headJoint] ?? -1);
+    const to = headTop >= 0 ? headTop : this.headJoint;
+    this.head.visible = from >= 0 && to >= 0;
+    if (!this.head.visible) return;
+    const top = this.joint(to, this.a);
+    const axis = this.c.subVectors(top, this.joint(from, this.b));
+    const length = axis.length();
+    if (length > 1e-6) axis.divideScalar(length);
+    else axis.copy(UP);
+    this.head.position.copy(top).addScaledVector(axis, length > 0.15 ? -0.9 * HEAD.height : 0.03);
+    this.faceForward(axis);
+  }
+
+  /** The egg's depth runs across the shoulders' normal where there are shoulders. */
+  private faceForward(axis: Vector3): void {
+    const across = this.b.set(1, 0, 0);
+    if (this.plan.torso) {
+      across.copy(this.joint(this.plan.torso.leftShoulder, this.b)).sub(this.joint(this.plan.torso.rightShoulder, this.a));
+    }
+    across.addScaledVector(axis, -across.dot(axis)).normalize();
+    this.matrix.makeBasis(across, axis, this.a.crossVectors(across, axis));
+    this.head.quaternion.setFromRotationMatrix(this.matrix);
+  }
+}
+
+/** An egg, blunt end up. */
+function eggGeometry(): SphereGeometry {
+  const egg = new SphereGeometry(1, 32, 24);
+  const position = egg.getAttribute("position");
+  for (let i = 0; i < position.count; i++) {
+    const y = position.getY(i);
+    const taper = 1 + 0.14 * y - 0.06 * y * y;
+    position.setXYZ(i, HEAD.width * taper * position.getX(i), HEAD.height * y, HEAD.depth * taper * position.getZ(i));
+  }
+  egg.computeVertexNormals();
+  return egg;
+}
+
+const RINGS = 14;
+const SIDES = 24;
+
+/** A rounded skin from hips to shoulders, bent along the spine: rings across it, wider at both ends than at the waist. */
+class TorsoSkin {
+  readonly mesh: Mesh<PlaneGeometry, MeshStandardMaterial>;
+  private readonly position: BufferAttribute;
+  private readonly points = Array.from({ length: 9 }, () => new Vector3());
+
+  constructor(private readonly torso: Torso, material: MeshStandardMaterial) {
+    const geometry = new PlaneGeometry(1, 1, SIDES, RINGS - 1); // only its grid of triangles
+    this.position = geometry.getAttribute("position") as BufferAttribute;
+    this.position.setUsage(DynamicDrawUsage);
+    this.mesh = new Mesh(geometry, material);
+  }
+
+  update(pose: Float32Array): void {
+    const [leftHip, rightHip, leftShoulder, rightShoulder, middle, centre, along, across, out] = this.points as [Vector3, Vector3, Vector3, Vector3, Vector3, Vector3, Vector3, Vector3, Vector3];
+    leftHip.fromArray(pose, 3 * this.torso.leftHip);
+    rightHip.fromArray(pose, 3 * this.torso.rightHip);
+    leftShoulder.fromArray(pose, 3 * this.torso.leftShoulder);
+    rightShoulder.fromArray(pose, 3 * this.torso.rightShoulder);
+    middle.fromArray(pose, 3 * this.torso.middle);
+    const hips = 0.5 * leftHip.distanceTo(rightHip) + 0.055;
+    const shoulders = 0.5 * leftShoulder.distanceTo(rightShoulder) - 0.005;
+    const pelvis = centre.addVectors(leftHip, rightHip).multiplyScalar(0.5).clone();
+    const chest = centre.addVectors(leftShoulder, rightShoulder).multiplyScalar(0.5).clone();
+    const bend = middle.multiplyScalar(2).addScaledVector(pelvis, -0.5).addScaledVector(chest, -0.5);
+    pelvis.addScaledVector(along.subVectors(bend, pelvis).normalize(), -0.075);
+    chest.addScaledVector(along.subVectors(chest, bend).normalize(), 0.045);
+    const hipLine = leftHip.sub(rightHip).normalize();
+    const shoulderLine = leftShoulder.sub(rightShoulder).normalize();
+
+    for (let ring = 0; ring < RINGS; ring++) {
+      const angle = (Math.PI * ring) / (RINGS - 1);
+      const t = 0.5 - 0.5 * Math.cos(angle); // rings crowd where the ends close
+      const s = 1 - t;
+      centre.set(0, 0, 0).addScaledVector(pelvis, s * s).addScaledVector(bend, 2 * s * t).addScaledVector(chest, t * t);
+      along.copy(bend).sub(pelvis).multiplyScalar(s).addScaledVector(chest, t).addScaledVector(bend, -t).normalize();
+      across.copy(hipLine).multiplyScalar(s).addScaledVector(shoulderLine, t);
+      across.addScaledVector(along, -across.dot(along)).normalize();
+      out.crossVectors(across, along);
+      const close = Math.pow(Math.sin(angle), 0.35);
+      const waist = 1 - 0.42 * Math.sin(Math.PI * t) * (1 - 0.35 * t);
+      const width = close * (s * hips + t * shoulders) * Math.max(waist, 0.72);
+      const depth = close * (0.098 * s + 0.1 * t) * (1 - 0.12 * Math.sin(Math.PI * t));
+      for (let side = 0; side <= SIDES; side++) {
+        const turn = (2 * Math.PI * side) / SIDES;
+        const x = width * Math.cos(turn);
+        const z = depth * Math.sin(turn);
+        this.position.setXYZ(
+          (RINGS - 1 - ring) * (SIDES + 1) + side,
+          centre.x + x * across.x + z * out.x,
+          centre.y + x * across.y + z * out.y,
+          centre.z + x * across.z + z * out.z,
+        );
+      }
+    }
+    this.position.needsUpdate = true;
+    this.mesh.geometry.computeVertexNormals();
+    this.closeSeam();
+  }
+
+  /** The first and the last column are the same line. */
+  private closeSeam(): void {
+    const normal = this.mesh.geometry.getAttribute("normal");
+    const [a, b] = this.points as [Vector3, Vector3];
+    for (let ring = 0; ring < RINGS; ring++) {
+      const first = ring * (SIDES + 1);
+      a.fromBufferAttribute(normal, first).add(b.fromBufferAttribute(normal, first + SIDES)).normalize();
+      normal.setXYZ(first, a.x, a.y, a.z);
+      normal.setXYZ(first + SIDES, a.x, a.y, a.z);
+    }
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+  }
+}

@@ -1,0 +1,135 @@
+// The scene under the figures: renderer, lights, ground, fog, and the travel of the figures under a camera that stays at the
+// origin. "World" is a figure's own world; "scene" is what is drawn: world plus the figure's lane minus the travel.
+
+import { Fog, Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector2, Vector3, VSMShadowMap, WebGLRenderer } from "three";
+import { ContactShadow } from "./contact-shadow";
+import { lanes, type Content } from "./framing";
+import { Ground } from "./ground";
+import { Lights } from "./lights";
+import type { Theme } from "./theme";
+
+const FIGURE_HEIGHT = 1.75;
+/** A person with swinging arms. */
+export const HUMAN_WIDTH = 1.1;
+const FOLLOW_SECONDS = 0.15;
+/** Farther than a dancer moves between two frames: the clip started again. */
+const JUMP = 1.2;
+
+/** One figure's place on the stage. */
+class Lane {
+  readonly group = new Group();
+  readonly shadow = new ContactShadow();
+  /** World to scene. */
+  readonly offset = new Vector3();
+  /** Where the figure is in its world, x and z. */
+  readonly ground = new Vector2();
+  /** 0: not on the stage. */
+  width = 0;
+  x = 0;
+  xGoal = 0;
+
+  constructor() {
+    this.group.add(this.shadow.mesh);
+  }
+}
+
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly scene = new Scene();
+  readonly model = new Lane();
+  readonly human = new Lane();
+  content: Content = { width: 2.7, height: FIGURE_HEIGHT, depth: 1 };
+  private readonly fog = new Fog("#ffffff");
+  private readonly lights = new Lights(true);
+  private readonly ground = new Ground();
+  private readonly travel = new Vector2();
+  private readonly goal = new Vector2();
+  private overlay = false;
+  private placed = false;
+
+  constructor(canvas: HTMLCanvasElement, private readonly still: boolean) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = VSMShadowMap;
+    this.renderer.shadowMap.autoUpdate = false; // it changes with the figures, not with the camera
+    this.scene.fog = this.fog;
+    this.scene.add(this.lights.group, this.ground.group, this.model.group, this.human.group);
+  }
+
+  setTheme(theme: Theme): void {
+    this.scene.background = theme.stage;
+    this.fog.color.copy(theme.stage);
+    this.lights.setDark(theme.dark);
+    this.ground.setTheme(theme);
+    for (const lane of [this.model, this.human]) lane.shadow.setDark(theme.dark);
+  }
+
+  setOverlay(overlay: boolean): void {
+    this.overlay = overlay;
+    this.arrange();
+  }
+
+  /** Width in metres of a figure's lane; 0 takes it off the stage. */
+  setWidth(lane: Lane, width: number): void {
+    if (lane.width === 0) lane.ground.set(0, 0);
+    lane.width = width;
+    this.placed = false;
+    this.arrange();
+  }
+
+  /** After figures moved: what the camera must keep in the picture, and the shadows to draw anew. */
+  arrange(): void {
+    const { model, human } = this;
+    const both = model.width > 0 && human.width > 0;
+    const side = both && !this.overlay;
+    const places = lanes(human.width, model.width);
+    human.xGoal = side ? places.human : 0;
+    model.xGoal = side ? places.model : 0;
+    const apart = both ? Math.abs(human.ground.x - model.ground.x) : 0;
+    const behind = both ? Math.abs(human.ground.y - model.ground.y) : 0;
+    const width = (side ? places.width : Math.max(human.width, model.width, 1)) + apart;
+    this.content = { width, height: FIGURE_HEIGHT, depth: 1 + behind };
+    this.lights.fitShadow(width + 0.8, 2.4, 2.2 + behind);
+    if (both) this.goal.addVectors(human.ground, model.ground).multiplyScalar(0.5);
+    else this.goal.copy(model.width > 0 ? model.ground : human.ground);
+    this.renderer.shadowMap.needsUpdate = true;
+  }
+
+  /** Lets the stage follow the figures for some seconds; true while it has not caught up. */
+  follow(seconds: number, frozen: boolean): boolean {
+    const ease = this.still || !this.placed ? 1 : 1 - Math.exp(-seconds / FOLLOW_SECONDS);
+    const lag = this.travel.distanceTo(this.goal);
+    if (!frozen) this.travel.lerp(this.goal, lag > JUMP || lag < 0.001 ? 1 : ease);
+    let moving = !frozen && lag >= 0.001;
+    for (const lane of [this.model, this.human]) {
+      const gap = Math.abs(lane.xGoal - lane.x);
+      lane.x += (gap < 0.001 ? 1 : ease) * (lane.xGoal - lane.x);
+      moving ||= gap >= 0.001;
+      lane.offset.set(lane.x - this.travel.x, 0, -this.travel.y);
+      lane.group.position.copy(lane.offset);
+    }
+    if (moving) this.renderer.shadowMap.needsUpdate = true;
+    this.placed = true;
+    return moving;
+  }
+
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.renderer.setPixelRatio(pixelRatio);
+    this.renderer.setSize(width, height, false);
+  }
+
+  render(camera: PerspectiveCamera, distance: number): void {
+    this.fog.near = distance + 0.3;
+    this.fog.far = distance + 3.8;
+    this.ground.update(this.travel.x, this.travel.y, distance, this.renderer.getPixelRatio());
+    this.renderer.render(this.scene, camera);
+  }
+
+  dispose(): void {
+    for (const lane of [this.model, this.human]) lane.shadow.dispose();
+    this.lights.dispose();
+    this.ground.dispose();
+    this.renderer.dispose();
+  }
+}
