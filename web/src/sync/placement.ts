@@ -1,0 +1,30 @@
+import type { Frame } from "../engine/types";
+
+/** World position and yaw of the model's origin. */
+export type Root = Frame["root"];
+
+/** N x 3 body-local to world; a new array. */
+export function toWorld(positions: Float32Array, root: Root): Float32Array {
+  const [x, y, z, yaw] = root;
+  const c = Math.cos(yaw);
+  const s = Math.sin(yaw);
+  const out = new Float32Array(positions.length);
+  for (let i = 0; i + 2 < positions.length; i += 3) {
+    const px = positions[i];
+    const pz = positions[i + 2];
+    out[i] = c * px + s * pz + x;
+    out[i + 1] = positions[i + 1] + y;
+    out[i + 2] = -s * px + c * pz + z;
+  }
+  return out;
+}
+
+/** One world point, body-local. */
+export function toLocal(point: readonly [number, number, number], root: Root): [number, number, number] {
+  const [x, y, z, yaw] = root;
+  const c = Math.cos(yaw);
+  const s = Math.sin(yaw);
+  const px = point[0] - x;
+  const pz = point[2] - z;
+  return [c * px - s * pz, point[1] - y, s * px + c * pz];
+}

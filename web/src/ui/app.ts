@@ -1,0 +1,201 @@
+import { css, html, LitElement } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import { handleKey } from "./session/keys";
+import { Session } from "./session/session";
+import { base } from "./styles";
+import "./elements/drop-overlay";
+import "./elements/hello";
+import "./elements/help";
+import "./elements/inspector";
+import "./elements/job-card";
+import "./elements/notices";
+import "./elements/panel-model";
+import "./elements/panel-motion";
+import "./elements/panel-points";
+import "./elements/panel-poses";
+import "./elements/prompt";
+import "./elements/rail";
+import "./elements/status";
+import "./elements/timeline";
+import "./elements/top-bar";
+import "./elements/transport";
+import "./elements/view";
+
+const PANELS = {
+  model: (session: Session) => html`<rigless-panel-model .session=${session}></rigless-panel-model>`,
+  motion: (session: Session) => html`<rigless-panel-motion .session=${session}></rigless-panel-motion>`,
+  points: (session: Session) => html`<rigless-panel-points .session=${session}></rigless-panel-points>`,
+  poses: (session: Session) => html`<rigless-panel-poses .session=${session}></rigless-panel-poses>`,
+} as const;
+
+/** The page: where each part stands, what is dropped on it, and its keys. */
+@customElement("rigless-app")
+export class App extends LitElement {
+  private readonly session = new Session();
+  @state() private dropping = false;
+  @state() private phone = false;
+  /** Phone only: the sheet shows its content. */
+  @state() private sheetOpen = true;
+  @query(".view3d") private host!: HTMLDivElement;
+  private readonly narrow = matchMedia("(max-width: 719px)");
+  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private readonly resized = new ResizeObserver(() => this.measure());
+  private framing = 0;
+
+  static override styles = [
+    base,
+    css`
+      :host { display: grid; height: 100%; overflow: hidden; grid-template: 48px minmax(0, 1fr) auto / auto minmax(0, 1fr) auto; color: var(--ink); }
+      rigless-top-bar { grid-area: 1 / 1 / 2 / -1; z-index: 4; position: relative; }
+      main { grid-area: 2 / 1 / 3 / -1; position: relative; background: var(--stage); overflow: hidden; min-height: 0; }
+      .view3d { position: absolute; inset: 0; }
+      .left { grid-area: 2 / 1; align-self: stretch; display: flex; align-items: flex-start; pointer-events: none; z-index: 2; min-height: 0; padding-bottom: 48px; }
+      .left > * { pointer-events: auto; }
+      .panel { margin: var(--s2) 0; max-height: calc(100% - 16px); display: flex; min-height: 0; }
+      .panel > * { display: flex; min-height: 0; }
+      rigless-inspector { grid-area: 2 / 3; align-self: start; z-index: 2; max-height: calc(100% - 32px); overflow-y: auto; }
+      .middle { grid-area: 2 / 2; position: relative; z-index: 2; pointer-events: none; display: grid; grid-template-rows: auto 1fr auto; min-width: 0; min-height: 0; }
+      rigless-notices { justify-self: center; margin: var(--s2) var(--s1) 0; }
+      rigless-hello { position: absolute; inset: 0; }
+      .low { grid-row: 3; display: grid; justify-items: end; align-content: end; }
+      .low > * { pointer-events: auto; }
+      rigless-prompt { justify-self: stretch; margin-bottom: 0; }
+      rigless-view { margin-right: 0; }
+      rigless-status { grid-area: 2 / 1 / 3 / 3; align-self: end; justify-self: start; z-index: 2; }
+      .dock { grid-area: 3 / 1 / 4 / -1; background: var(--desk); border-top: 1px solid var(--line); padding: 0 var(--s2) var(--s1); z-index: 3; }
+      @media (max-width: 719px) {
+        :host { grid-template: 56px minmax(0, 1fr) auto auto auto / minmax(0, 1fr); }
+        rigless-top-bar { grid-area: 1 / 1; }
+        main, .middle { grid-area: 2 / 1; }
+        rigless-notices { justify-self: stretch; margin: 8px 8px 0; }
+        rigless-view { display: none; }
+        rigless-status { grid-area: 2 / 1; }
+        .dock { grid-area: 3 / 1; padding: 0 12px 8px; }
+        .sheet { grid-area: 4 / 1; background: var(--paper); border-top: 1px solid var(--line); max-height: 38vh; overflow-y: auto; z-index: 3; }
+        .handle { display: block; width: 100%; height: 20px; border: 0; background: none; padding: 0; cursor: pointer; position: relative; }
+        .handle::before { content: ""; position: absolute; inset: -12px 0; }
+        .handle::after { content: ""; display: block; width: 40px; height: 4px; border-radius: 2px; background: var(--edge); margin: 0 auto; }
+        .handle:focus-visible { position: relative; }
+        rigless-rail { grid-area: 5 / 1; z-index: 3; }
+        .panel { margin: 0; max-height: none; }
+        .panel > * { display: block; flex: 1; }
+        rigless-inspector { max-height: none; overflow: visible; }
+      }
+    `,
+  ];
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.phone = this.narrow.matches;
+    this.narrow.addEventListener("change", this.narrowed);
+    this.dark.addEventListener("change", this.themed);
+    addEventListener("keydown", this.keyed);
+    for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) addEventListener(name, this.dragged);
+    addEventListener("beforeunload", this.leaving);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.narrow.removeEventListener("change", this.narrowed);
+    this.dark.removeEventListener("change", this.themed);
+    removeEventListener("keydown", this.keyed);
+    for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) removeEventListener(name, this.dragged);
+    removeEventListener("beforeunload", this.leaving);
+    this.resized.disconnect();
+    this.session.close();
+  }
+
+  protected override firstUpdated(): void {
+    this.session.start(this.host);
+    for (const topic of ["verb", "notices", "jobs", "pairing"] as const) this.session.on(topic, () => this.reframe());
+    this.session.on("verb", () => {
+      this.sheetOpen = true;
+      this.requestUpdate();
+    });
+    this.resized.observe(this);
+    this.reframe();
+  }
+
+  protected override updated(): void {
+    this.reframe();
+  }
+
+  protected override render() {
+    const { session } = this;
+    const panel = session.verb ? html`<div class="panel">${PANELS[session.verb](session)}</div>` : "";
+    const inspector = html`<rigless-inspector role="complementary" aria-label="Inspector" .session=${session}></rigless-inspector>`;
+    const rail = html`<rigless-rail .session=${session}></rigless-rail>`;
+    return html`
+      <rigless-top-bar role="banner" .session=${session}></rigless-top-bar>
+      <main aria-label="Stage"><div class="view3d"></div></main>
+      <div class="middle">
+        <rigless-hello .session=${session}></rigless-hello>
+        <rigless-notices .session=${session}></rigless-notices>
+        <div class="low">
+          <rigless-jobs .session=${session}></rigless-jobs>
+          <rigless-prompt .session=${session}></rigless-prompt>
+          <rigless-view .session=${session}></rigless-view>
+        </div>
+      </div>
+      <rigless-status .session=${session}></rigless-status>
+      <section class="dock" aria-label="Timeline">
+        <rigless-transport .session=${session}></rigless-transport>
+        <rigless-timeline .session=${session}></rigless-timeline>
+      </section>
+      ${this.phone
+        ? html`<div class="sheet">
+            <button class="handle" aria-label=${this.sheetOpen ? "Fold the sheet" : "Unfold the sheet"} aria-expanded=${this.sheetOpen} @click=${() => (this.sheetOpen = !this.sheetOpen)}></button>
+            ${this.sheetOpen ? (session.verb ? panel : inspector) : ""}</div>${rail}`
+        : html`<div class="left">${rail}${panel}</div>${inspector}`}
+      ${this.dropping ? html`<rigless-drop></rigless-drop>` : ""}
+      <rigless-help .session=${session}></rigless-help>
+    `;
+  }
+
+  private readonly narrowed = (): void => {
+    this.phone = this.narrow.matches;
+  };
+
+  private readonly themed = (): void => this.session.viewport?.refreshTheme();
+
+  private readonly keyed = (event: KeyboardEvent): void => {
+    if (!event.defaultPrevented && handleKey(this.session, event)) event.preventDefault();
+  };
+
+  private readonly leaving = (event: BeforeUnloadEvent): void => {
+    if (!this.session.saved && this.session.touched) event.preventDefault();
+  };
+
+  private readonly dragged = (event: DragEvent): void => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    if (event.type === "drop") {
+      this.dropping = false;
+      const files = [...event.dataTransfer.files];
+      void this.session.openFiles(files);
+    } else if (event.type === "dragleave") {
+      if (event.relatedTarget === null) this.dropping = false;
+    } else this.dropping = true;
+  };
+
+  /** Measures once what has been drawn by then. */
+  private reframe(): void {
+    cancelAnimationFrame(this.framing);
+    this.framing = requestAnimationFrame(() => this.measure());
+  }
+
+  /** Tells the viewport which part of the stage the cards leave free. */
+  private measure(): void {
+    const stage = this.host.getBoundingClientRect();
+    const box = (selector: string): DOMRect | null => {
+      const rect = this.renderRoot.querySelector(selector)?.getBoundingClientRect();
+      return rect && rect.width > 0 && rect.height > 0 ? rect : null;
+    };
+    const desk = !this.phone;
+    const left = desk ? Math.max(box("rigless-rail")?.right ?? 0, box(".panel > *")?.right ?? 0) - stage.left : 0;
+    const right = desk ? stage.right - (box("rigless-inspector")?.left ?? stage.right) : 0;
+    const top = (box("rigless-notices")?.bottom ?? stage.top) - stage.top;
+    const bottom = stage.bottom - Math.min(box("rigless-status")?.top ?? stage.bottom, box("rigless-prompt")?.top ?? stage.bottom);
+    this.session.setInsets({ left: Math.max(0, left), top: Math.max(0, top), right: Math.max(0, right), bottom: Math.max(0, bottom) });
+  }
+}

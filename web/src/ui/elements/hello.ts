@@ -1,0 +1,38 @@
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { SessionElement } from "../element";
+import { icon } from "../icons";
+import { base } from "../styles";
+
+/** The first line and the ways on from it; leaves with the first drag. */
+@customElement("rigless-hello")
+export class Hello extends SessionElement {
+  protected readonly topics = ["hello", "document"] as const;
+
+  static override styles = [
+    base,
+    css`
+      :host { display: block; pointer-events: none; }
+      .line { position: absolute; top: 20px; left: 0; right: 0; text-align: center; font: var(--t-display); font-weight: 400; letter-spacing: -.01em; padding: 0 16px; text-wrap: balance; }
+      .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; gap: 8px; justify-content: center; }
+      .chip { pointer-events: auto; display: inline-flex; align-items: center; gap: 6px; min-height: max(36px, var(--hit)); padding: 0 16px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--ink); font: var(--t-strong); --frame: var(--lift-1); box-shadow: var(--frame); cursor: pointer; white-space: nowrap; transition: transform var(--bounce) var(--squash); }
+      .chip:hover { background: var(--desk); }
+      .chip:active { transform: scale(1.04, .92); }
+      .chip .ico { width: 18px; height: 18px; }
+      @media (max-width: 1100px) { .line { font-size: 22px; line-height: 28px; top: 16px; } }
+      @media (max-width: 719px) { .line { font-size: 20px; line-height: 26px; top: 12px; } .chips { bottom: 44px; } .chip { padding: 0 12px; } }
+    `,
+  ];
+
+  protected override render() {
+    const { session } = this;
+    if (!session.hello) return "";
+    return html`
+      <p class="line">This cactus has no bones. <b>Drag any dot.</b></p>
+      <div class="chips">
+        <button class="chip" @click=${() => session.tryOtherDance()}>${session.otherDance}</button>
+        <button class="chip" @click=${() => session.pickFiles()}>${icon("file")}Use my model</button>
+      </div>
+    `;
+  }
+}

@@ -1,0 +1,67 @@
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { SessionElement } from "../element";
+import { base } from "../styles";
+import { count, figure, stem } from "../words";
+import type { RangeDetail } from "./range";
+import "./range";
+import "./switch";
+
+const cm = (metresPerSecond: number): string => figure(metresPerSecond * 100, 1);
+
+@customElement("rigless-inspector")
+export class Inspector extends SessionElement {
+  protected readonly topics = ["document", "solve", "thumbs"] as const;
+
+  static override styles = [
+    base,
+    css`
+      :host { display: block; margin: var(--s2); width: 256px; padding: var(--s2); background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); }
+      header { display: flex; gap: 12px; align-items: center; margin-bottom: var(--s2); }
+      header .thumb { width: 40px; height: 40px; flex: none; }
+      header div { min-width: 0; }
+      h2 { font: var(--t-title); line-height: 20px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+      .switches { border-top: 1px solid var(--line); padding-top: var(--s-half); margin-bottom: -8px; }
+      @media (max-width: 719px) {
+        :host { margin: 0; width: auto; border-radius: 0; box-shadow: none; padding: 0 16px; }
+        header { display: none; }
+        .switches { display: flex; gap: 8px; margin: 0; padding: 8px 0; }
+      }
+    `,
+  ];
+
+  protected override render() {
+    const { document, thumbnails } = this.session;
+    const { settings } = document;
+    const picture = thumbnails.rest;
+    return html`
+      <header>
+        <span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span>
+        <div>
+          <h2>${this.session.modelName}</h2>
+          <p class="sub">${count(document.points.length, "point")}, ${count(document.examples.length, "pose")}, ${stem(document.motion.files.at(-1) ?? "no motion")}</p>
+        </div>
+      </header>
+      <rigless-range label="Volume" track="volume" .value=${settings.volume} .max=${3} .rest=${1} low="flat" high="juicy"
+        @range=${(event: CustomEvent<RangeDetail>) => this.session.setSetting("volume", event.detail.value, event.detail.held)}></rigless-range>
+      <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${0.3} low="snappy" high="floaty"
+        @range=${(event: CustomEvent<RangeDetail>) => this.session.setSetting("smoothness", event.detail.value, event.detail.held)}></rigless-range>
+      <div class="switches">
+        <rigless-switch label="Ground contact" effect=${this.contactEffect()} .on=${settings.groundContact}
+          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("groundContact", event.detail, false)}></rigless-switch>
+        <rigless-switch label="In place" effect=${settings.inPlace ? "Stays on the spot" : "Travels as the dancer does"} .on=${settings.inPlace}
+          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("inPlace", event.detail, false)}></rigless-switch>
+      </div>
+    `;
+  }
+
+  private contactEffect(): string {
+    const performance = this.session.performance;
+    if (!performance) return "Feet stay where they stand";
+    if (!performance.contacts.includes(1)) return "Nothing stands on the ground here";
+    const { before, after } = performance.slip;
+    return this.session.document.settings.groundContact
+      ? `Slide ${cm(before)} cm/s, now ${cm(after)} cm/s`
+      : `Slide ${cm(before)} cm/s`;
+  }
+}

@@ -1,0 +1,50 @@
+import { html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import type { Point } from "../../document/types";
+import { SessionElement } from "../element";
+import { badge } from "../point-colors";
+import { base, panel } from "../styles";
+import { jointName } from "../words";
+
+/** The keyboard twin of the dots: every point is a button here. */
+@customElement("rigless-panel-points")
+export class PointsPanel extends SessionElement {
+  protected readonly topics = ["document", "selection", "solve", "pairing"] as const;
+  static override styles = [base, panel];
+
+  protected override render() {
+    const { session } = this;
+    const { points } = session.document;
+    return html`<section class="panel" aria-label="Points">
+      <h2>Points <button class="btn line" aria-pressed=${session.pairing.adding} @click=${() => session.pairing.toggleAdd()}>${session.pairing.adding ? "Done" : "Add"}</button></h2>
+      ${points.length === 0 ? html`<p class="note">Click a place on the model, then the joint that moves it.</p>` : nothing}
+      <ul>${points.map((point, k) => this.renderPoint(point, k + 1))}</ul>
+      ${points.length > 0 ? html`<p class="keys"><span><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> move 1 cm</span><span><kbd>Shift</kbd> finer</span></p>` : nothing}
+    </section>`;
+  }
+
+  private renderPoint(point: Point, number: number) {
+    const { session } = this;
+    const on = session.selected === point.id;
+    return html`<li>
+      <button class="item" aria-pressed=${on} @click=${() => session.select(on ? null : point.id)} @keydown=${(event: KeyboardEvent) => session.nudgeKey(point.id, event)}>
+        ${badge(number, { weak: point.joint === null })}<span>${point.name}</span><small>${point.joint ? jointName(point.joint) : "not paired"}</small></button>
+      ${on ? this.renderDetails(point) : nothing}
+    </li>`;
+  }
+
+  private renderDetails(point: Point) {
+    const { session } = this;
+    const joints = session.motion?.joints ?? [];
+    return html`<div class="more">
+      <label class="pair">Name <input .value=${point.name} autocomplete="off" spellcheck="false" @change=${(event: Event) =>
+        session.renamePoint(point.id, (event.target as HTMLInputElement).value)} /></label>
+      <label class="pair">Moved by <select @change=${(event: Event) =>
+        session.pair(point.id, (event.target as HTMLSelectElement).value || null)}>
+        <option value="" ?selected=${point.joint === null}>the whole pose</option>
+        ${joints.map((joint) => html`<option value=${joint.name} ?selected=${joint.name === point.joint}>${jointName(joint.name)}</option>`)}
+      </select></label>
+      <div class="row-acts"><button class="btn" @click=${() => session.deletePoint(point.id)}>Delete</button></div>
+    </div>`;
+  }
+}

@@ -1,0 +1,40 @@
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { SessionElement } from "../element";
+import { badge } from "../point-colors";
+import { base } from "../styles";
+
+/** Which point is in hand, and how fast we solve. */
+@customElement("rigless-status")
+export class Status extends SessionElement {
+  protected readonly topics = ["selection", "document", "meter", "drag"] as const;
+
+  static override styles = [
+    base,
+    css`
+      :host { margin: var(--s2); display: flex; align-items: center; gap: 10px; height: 28px; padding: 0 12px 0 6px; border-radius: var(--r-full); background: var(--paper); box-shadow: var(--lift-1); font: var(--t-small); color: var(--ink-2); white-space: nowrap; }
+      :host([plain]) { padding-left: 12px; }
+      b { color: var(--ink); font-weight: 600; }
+      i { width: 1px; height: 12px; background: var(--line); }
+      @media (max-width: 719px) { :host { margin: 8px; } }
+    `,
+  ];
+
+  protected override render() {
+    const { session } = this;
+    const held = session.drag;
+    const id = held?.id ?? session.selected;
+    const index = session.document.points.findIndex((point) => point.id === id);
+    const point = session.document.points[index];
+    this.toggleAttribute("plain", !point);
+    const solved = session.meter.median;
+    const speed = session.solving && !held
+      ? html`<span>solving</span>`
+      : solved === null ? html`<span>ready</span>` : html`<span>solved in <b>${Math.max(1, Math.round(solved))} ms</b></span>`;
+    return html`
+      ${point ? html`${badge(index + 1)}<span><b>${point.name}</b> ${held ? "held" : "selected"}</span><i></i>` : ""}
+      ${held ? html`<span>frame <b>${held.frame}</b></span><i></i>` : ""}
+      ${speed}
+    `;
+  }
+}

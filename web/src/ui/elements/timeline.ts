@@ -1,0 +1,140 @@
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { SessionElement } from "../element";
+import { badge, pointStyle } from "../point-colors";
+import { contactRows, rulerStep } from "../timeline-model";
+import { base } from "../styles";
+
+/** Ruler, poses as cels on diamonds, and who stands on the ground when. */
+@customElement("rigless-timeline")
+export class Timeline extends SessionElement {
+  protected readonly topics = ["frame", "play", "document", "solve", "selection", "thumbs"] as const;
+  @state() private width = 1000;
+  private readonly observer = new ResizeObserver(([entry]) => {
+    if (entry) this.width = entry.contentRect.width;
+  });
+
+  static override styles = [
+    base,
+    css`
+      :host { display: block; --label: 136px; --end: 20px; --start: 0px; }
+      .tl { position: relative; display: grid; grid-template-columns: var(--label) 1fr; }
+      .tl-label { display: flex; align-items: center; gap: var(--s1); font: var(--t-small); color: var(--ink-2); background: none; border: 0; padding: 0; text-align: left; cursor: pointer; border-radius: var(--r-s); min-width: 0; }
+      .tl-label span:last-child { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+      span.tl-label { cursor: default; }
+      .tl-label[aria-pressed="true"] { color: var(--ink); font-weight: 600; }
+      .lane { position: relative; margin: 0 var(--end) 0 var(--start); }
+      .ruler { height: 20px; border-bottom: 1px solid var(--edge); background:
+        repeating-linear-gradient(90deg, var(--edge) 0 1px, transparent 1px var(--major)) 0 100% / calc(100% + 1px) 8px no-repeat,
+        repeating-linear-gradient(90deg, var(--line) 0 1px, transparent 1px var(--minor)) 0 100% / calc(100% + 1px) 5px no-repeat; }
+      .ruler span { position: absolute; top: 0; left: var(--f); transform: translateX(-50%); font: 400 11px/12px var(--font); color: var(--ink-3); pointer-events: none; }
+      /* the hit area of the playhead reaches over the ruler and into the poses */
+      .scrub { position: absolute; inset: -6px -1px -6px -1px; width: calc(100% + 2px); height: 32px; margin: 0; appearance: none; background: none; cursor: ew-resize; touch-action: none; border-radius: var(--r-s); }
+      .scrub::-webkit-slider-thumb { appearance: none; width: 2px; height: 32px; background: none; }
+      .scrub::-moz-range-thumb { width: 2px; height: 32px; background: none; border: 0; }
+      .poses { height: 52px; }
+      .rows { position: relative; display: grid; grid-template-columns: subgrid; grid-column: 1 / -1; max-height: 72px; overflow-y: auto; scrollbar-width: thin; }
+      .row { height: 24px; border-top: 1px solid var(--line); }
+      .tl-label.row { border-top-color: transparent; }
+      .lane.row.sel { background: var(--well); }
+
+      .pose { position: absolute; z-index: 3; left: var(--f); top: 4px; width: 40px; height: 48px; margin-left: -20px; border: 0; background: none; padding: 0; cursor: pointer; border-radius: var(--r-s); }
+      .pose .thumb { width: 40px; height: 38px; transition: transform var(--bounce) var(--squash); }
+      .pose:hover .thumb { transform: translateY(-2px); }
+      .pose::after { content: ""; position: absolute; left: 50%; bottom: 2px; width: 11px; height: 11px; margin-left: -5.5px; transform: rotate(45deg); border-radius: 2px; background: var(--ink); box-shadow: 0 0 0 2px var(--desk); }
+      .pose.sel .thumb { box-shadow: inset 0 0 0 2px var(--ink); }
+      .pose.sel::after { background: var(--now); box-shadow: inset 0 0 0 1.5px var(--on-now), 0 0 0 2px var(--desk); }
+      .pose:focus-visible { position: absolute; }
+      .hint { position: absolute; inset: 0; display: flex; align-items: center; font: var(--t-small); color: var(--ink-3); pointer-events: none; }
+
+      .bar { position: absolute; top: 8px; height: 8px; left: var(--a); width: max(4px, var(--w)); border-radius: 4px; background: var(--c); box-shadow: inset 0 0 0 1px color-mix(in oklab, var(--c), var(--ink) 40%); }
+      .sel .bar { top: 6px; height: 12px; border-radius: 6px; }
+
+      .playhead { position: absolute; z-index: 2; left: calc(var(--label) + var(--start) + var(--k) * (100% - var(--label) - var(--start) - var(--end))); top: 0; bottom: 0; width: 0; pointer-events: none; }
+      .playhead::before { content: ""; position: absolute; left: -.75px; top: 16px; bottom: 0; width: 1.5px; background: var(--now-edge); }
+      .playhead b { position: absolute; top: 0; left: 0; transform: translateX(-50%); height: 18px; min-width: 30px; padding: 0 6px; display: grid; place-items: center; font: 700 11px/1 var(--font); background: var(--now); color: var(--on-now); border-radius: 5px; box-shadow: 0 0 0 1.5px var(--on-now); }
+      @media (max-width: 719px) {
+        :host { --label: 0px; --end: 20px; --start: 20px; }
+        .tl { grid-template-columns: 1fr; }
+        .tl-label, .rows { display: none; }
+      }
+    `,
+  ];
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.observer.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.observer.disconnect();
+  }
+
+  protected override render() {
+    const { player } = this.session;
+    const last = Math.max(1, player.frames - 1);
+    return html`<div class="tl">
+      <span class="tl-label"></span>${this.renderRuler(last)}
+      <span class="tl-label">Poses</span>${this.renderPoses(last)}
+      ${this.renderRows(last)}
+      ${player.frames > 0 ? html`<div class="playhead" style="--k:${player.frame / last}"><b>${player.frame}</b></div>` : nothing}
+    </div>`;
+  }
+
+  private renderRuler(last: number) {
+    const { player } = this.session;
+    const step = rulerStep(last, this.width < 700 ? this.width - 40 : this.width - 156);
+    const labels = Array.from({ length: Math.floor(last / step) + 1 }, (_, k) => k * step);
+    return html`<div class="lane ruler" style="--major:${(100 * step) / last}%;--minor:${(20 * step) / last}%">
+      ${labels.map((frame) => html`<span style="--f:${(100 * frame) / last}%">${frame}</span>`)}
+      <input class="scrub" type="range" min="0" max=${last} step="1" aria-label="Frame" ?disabled=${player.frames === 0}
+        .value=${String(player.frame)} @input=${this.scrub} @keydown=${this.keepKeys} />
+    </div>`;
+  }
+
+  private renderPoses(last: number) {
+    const { session } = this;
+    const poses = session.posesHere;
+    const now = session.player.frame;
+    return html`<div class="lane poses">
+      ${poses.map((pose) => {
+        const frame = pose.source.frame;
+        const picture = session.thumbnails.of(pose);
+        return html`<button class="pose ${frame === now ? "sel" : ""}" style="--f:${(100 * Math.min(frame, last)) / last}%"
+          aria-label="Pose at frame ${frame}" aria-current=${frame === now ? "true" : nothing}
+          @click=${() => session.goToPose(pose.id)}><span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span></button>`;
+      })}
+      ${poses.length === 0 && session.player.frames > 0 ? html`<span class="hint">Drag a dot at any frame: that becomes a pose.</span>` : ""}
+    </div>`;
+  }
+
+  private renderRows(last: number) {
+    const { session } = this;
+    const rows = contactRows(session.performance, session.document.points.length);
+    if (rows.length === 0) return nothing;
+    return html`<div class="rows" tabindex=${rows.length > 3 ? 0 : nothing} role="group" aria-label="Ground contacts">${rows.map((row) => {
+      const point = session.document.points[row.control];
+      if (!point) return nothing;
+      const on = session.selected === point.id;
+      return html`
+        <button class="tl-label row" aria-pressed=${on} @click=${() => session.select(on ? null : point.id)}>
+          ${badge(row.control + 1, { now: on })}<span>${point.name}</span></button>
+        <div class="lane row ${on ? "sel" : ""}" style=${pointStyle(row.control + 1)}>
+          ${row.runs.map(([a, b]) => html`<span class="bar" title="On the ground from ${a} to ${b - 1}"
+            style="--a:${(100 * a) / last}%;--w:${(100 * (Math.min(b, last) - a)) / last}%"></span>`)}
+        </div>`;
+    })}</div>`;
+  }
+
+  private readonly scrub = (event: Event): void => {
+    const { player } = this.session;
+    player.pause();
+    player.seek(Number((event.target as HTMLInputElement).value));
+  };
+
+  /** Arrows move the playhead; the page's own keys still reach the page. */
+  private readonly keepKeys = (event: KeyboardEvent): void => {
+    if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.stopPropagation();
+  };
+}

@@ -1,0 +1,152 @@
+import { EngineError } from "../../engine/types";
+import type { Frame } from "../../engine/types";
+import { toLocal, toWorld } from "../../sync/placement";
+import type { Root } from "../../sync/placement";
+import type { Session } from "./session";
+
+export interface Drag {
+  id: string;
+  index: number;
+  frame: number;
+  /** Where the model stands while it is held. */
+  root: Root;
+  /** C x 3 body-local: as the dance has them, and as the hand asks. */
+  base: Float32Array;
+  targets: Float32Array;
+  wasPlaying: boolean;
+  /** Volume over rest volume, once known. */
+  volume: number | null;
+}
+
+const KEYS_REST_MS = 700;
+
+/** The hand on a dot: from the grab to a pose, or back. */
+export class Dragging {
+  active: Drag | null = null;
+  private first = true;
+  private asking = false;
+  private again = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly session: Session) {}
+
+  grab(id: string): void {
+    const { session } = this;
+    if (this.active) this.cancel();
+    const { performance } = session;
+    const index = session.document.points.findIndex((point) => point.id === id);
+    const frame = session.player.frame;
+    const shown = session.workspace.cache.at(frame);
+    if (!performance || !shown || index < 0) return;
+    const controls = session.document.points.length;
+    const base = performance.controls.slice(frame * controls * 3, (frame + 1) * controls * 3);
+    const wasPlaying = session.player.playing;
+    session.player.pause();
+    session.workspace.hold();
+    this.active = { id, index, frame, root: shown.root, base, targets: base.slice(), wasPlaying, volume: null };
+    this.first = true;
+    session.viewport?.setGhost(shown.positions);
+    session.goodbye();
+    session.select(id);
+    session.emit("drag", undefined);
+  }
+
+  /** The hand asks for a world position. */
+  move(position: readonly [number, number, number]): void {
+    const { active } = this;
+    if (!active) return;
+    active.targets = active.base.slice();
+    active.targets.set(toLocal(position, active.root), 3 * active.index);
+    this.ask();
+    this.session.emit("drag", undefined);
+  }
+
+  /** Takes a point by the keyboard and moves it by stage metres; it drops by itself when the keys rest. */
+  nudge(id: string, delta: readonly [number, number, number]): void {
+    if (this.active?.id !== id) this.grab(id);
+    const { active } = this;
+    if (!active) return;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.drop(), KEYS_REST_MS);
+    const world = toWorld(active.targets.subarray(3 * active.index, 3 * active.index + 3), active.root);
+    this.move([world[0] + delta[0], world[1] + delta[1], world[2] + delta[2]]);
+  }
+
+  /** How far the held point went, stage metres in the world's axes. */
+  delta(): [number, number, number] {
+    const { active } = this;
+    if (!active) return [0, 0, 0];
+    const at = 3 * active.index;
+    const [a, b] = [active.base, active.targets].map((track) => toWorld(track.subarray(at, at + 3), active.root));
+    return [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+  }
+
+  drop(): void {
+    const { active, session } = this;
+    if (!active) return;
+    const moved = Math.hypot(...this.delta()) > 1e-4;
+    if (!moved) {
+      this.cancel();
+      return;
+    }
+    this.end();
+    session.keepPose(active);
+    session.workspace.release();
+  }
+
+  cancel(): void {
+    const { active, session } = this;
+    if (!active) return;
+    this.end();
+    session.workspace.release();
+    session.showFrame();
+    if (active.wasPlaying) session.player.play();
+  }
+
+  private end(): void {
+    clearTimeout(this.rest);
+    this.active = null;
+    this.session.viewport?.setGhost(null);
+    this.session.viewport?.setNote("");
+    this.session.emit("drag", undefined);
+  }
+
+  /** One question at a time; the newest targets win. */
+  private ask(): void {
+    const { active, session } = this;
+    if (!active) return;
+    if (this.asking) {
+      this.again = true;
+      return;
+    }
+    this.asking = true;
+    const restart = this.first;
+    this.first = false;
+    session.workspace
+      .drag(active.targets, restart)
+      .then(
+        (frame) => this.show(active, frame),
+        (error: unknown) => {
+          if (error instanceof EngineError && error.code === "superseded") return;
+          if (this.active === active) this.cancel();
+          if (error instanceof EngineError && error.code === "engine_lost") void session.workspace.sync();
+        },
+      )
+      .finally(() => {
+        this.asking = false;
+        if (this.again && this.active) {
+          this.again = false;
+          this.ask();
+        }
+      });
+  }
+
+  private show(drag: Drag, frame: Frame): void {
+    if (this.active !== drag) return;
+    drag.volume = frame.volumeRatio;
+    if (frame.volumeRatio !== null) this.session.viewport?.setNote(`Volume ${Math.round(100 * frame.volumeRatio)} %`);
+    this.session.meter.add(frame.milliseconds);
+    this.session.viewport?.setVertices(toWorld(frame.positions, drag.root));
+    this.session.emit("drag", undefined);
+  }
+}
