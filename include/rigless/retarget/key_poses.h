@@ -1,0 +1,66 @@
+// Which frames to show the user as key poses.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rigless/math/span.h"
+#include "rigless/math/types.h"
+#include "rigless/retarget/example.h"
+
+namespace rigless {
+
+struct KeyPose {
+  std::int32_t frame = 0;
+  double radius = 0;  // distance of the frame that is farthest from its nearest key pose, this one included
+};
+
+// Farthest point sampling: the first key pose is the frame nearest to the mean, each next one the frame farthest from
+// all before it, ties by the lowest index; ends early when every frame is a key pose's twin.
+// features: T x D; at most `count` key poses. Allocates.
+template <class S>
+std::vector<KeyPose> farthest_poses(Span<const S> features, std::int32_t frames, std::int32_t count) {
+  std::vector<KeyPose> keys;
+  if (frames <= 0 || count <= 0) return keys;
+  const auto size = static_cast<Eigen::Index>(features.size()) / frames;
+  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::Map<const Matrix> poses(features.data(), size, frames);
+  Eigen::Index next = 0;
+  (poses.colwise() - poses.rowwise().mean().eval()).colwise().squaredNorm().minCoeff(&next);
+  Eigen::Matrix<S, 1, Eigen::Dynamic> distance;
+  distance.setConstant(frames, std::numeric_limits<S>::infinity());
+  while (keys.size() < static_cast<std::size_t>(count)) {
+    const auto frame = static_cast<std::int32_t>(next);
+    distance = distance.cwiseMin((poses.colwise() - poses.col(next).eval()).colwise().squaredNorm());
+    const S farthest = distance.maxCoeff(&next);
+    keys.push_back({frame, std::sqrt(static_cast<double>(farthest))});
+    if (farthest <= S(0)) break;
+  }
+  return keys;
+}
+
+// Key poses of a clip over `joints`, each joint measured in its spread over the clip; radii in those spreads, averaged
+// over the joints. clip: T x J body-local. Allocates.
+template <class S>
+std::vector<KeyPose> suggest_key_poses(Span<const Vec3<S>> clip, std::int32_t joint_count,
+                                       Span<const std::int32_t> joints, std::int32_t count) {
+  const auto stride = static_cast<std::size_t>(joint_count);
+  const auto spreads = joint_spreads(clip, joint_count);
+  const S shared = std::sqrt(static_cast<S>(joints.size()));
+  std::vector<S> features;
+  for (std::size_t first = 0; first < clip.size(); first += stride) {
+    for (const std::int32_t index : joints) {
+      const auto j = static_cast<std::size_t>(index);
+      const S rms = spreads[j].rms > S(1e-9) ? spreads[j].rms : S(1);
+      for (int axis = 0; axis < 3; ++axis)
+        features.push_back((clip[first + j][axis] - spreads[j].mean[axis]) / (rms * shared));
+    }
+  }
+  return farthest_poses<S>(features, static_cast<std::int32_t>(clip.size() / stride), count);
+}
+
+}  // namespace rigless

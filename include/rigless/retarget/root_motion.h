@@ -1,0 +1,87 @@
+// Where the model's origin travels, so that what stands on the ground stays where it is.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rigless/math/span.h"
+#include "rigless/math/status.h"
+#include "rigless/math/types.h"
+#include "rigless/retarget/smoothing.h"
+
+namespace rigless {
+
+template <class S>
+struct RootMotionOptions {
+  S fps = 30;
+  S window = 5;  // length of the Hann window in frames at 30 fps; 1: no smoothing
+};
+
+// The root of T frames from the controls that stand: per frame it moves against their mean horizontal motion, counting
+// the controls labelled in this frame and the one before; while nothing stands it keeps its speed. The speed is
+// smoothed and summed; y puts the smoothed lowest sole on the ground. tracks: T x C local positions with the source's
+// yaw put back; labels: T x C, not 0 while a control stands; ground: C, rest height of each control above the lowest
+// vertex; root: T. Allocates. Errors: no_controls; size_mismatch.
+template <class S>
+Status root_from_contacts(Span<const Vec3<S>> tracks, Span<const std::uint8_t> labels, Span<const S> ground,
+                          const RootMotionOptions<S>& options, std::vector<Vec3<S>>& root) {
+  const std::size_t controls = ground.size();
+  if (controls == 0) return {Error::no_controls, -1};
+  if (tracks.size() % controls != 0 || labels.size() != tracks.size()) return {Error::size_mismatch, -1};
+  const std::size_t frames = tracks.size() / controls;
+  std::vector<Vec3<S>> velocity(frames, Vec3<S>::Zero());
+  std::vector<S> lowest(frames);
+  for (std::size_t f = 0; f < frames; ++f) {
+    Vec3<S> sum = Vec3<S>::Zero();
+    S standing = 0;
+    lowest[f] = tracks[f * controls].y() - ground[0];
+    for (std::size_t c = 0; c < controls; ++c) {
+      const std::size_t i = f * controls + c;
+      lowest[f] = std::min(lowest[f], tracks[i].y() - ground[c]);
+      if (f == 0 || labels[i] == 0 || labels[i - controls] == 0) continue;
+      sum -= tracks[i] - tracks[i - controls];
+      standing += S(1);
+    }
+    if (f > 0) velocity[f] = standing > S(0) ? (sum / standing).eval() : velocity[f - 1];
+  }
+  smooth_hann(velocity, options.window, options.fps);
+  smooth_hann(lowest, options.window, options.fps);
+  root.resize(frames);
+  Vec3<S> at = Vec3<S>::Zero();
+  for (std::size_t f = 0; f < frames; ++f) {
+    at += velocity[f];
+    root[f] = {at.x(), -lowest[f], at.z()};
+  }
+  return {};
+}
+
+// The paper's root: in each frame the lowest control is the anchor; it is on the ground and has not moved since the
+// frame before. The anchor stays while no other is lower. Works without contacts, but steps whenever it changes.
+// tracks: T x C; root: T; anchors: T control indices. Allocates. Errors: no_controls; size_mismatch.
+// Source: thesis 3.3.4.
+template <class S>
+Status root_from_anchor(Span<const Vec3<S>> tracks, std::int32_t control_count, std::vector<Vec3<S>>& root,
+                        std::vector<std::int32_t>& anchors) {
+  if (control_count <= 0) return {Error::no_controls, -1};
+  const auto controls = static_cast<std::size_t>(control_count);
+  if (tracks.size() % controls != 0) return {Error::size_mismatch, -1};
+  const std::size_t frames = tracks.size() / controls;
+  root.resize(frames);
+  anchors.resize(frames);
+  Vec3<S> at = Vec3<S>::Zero();
+  std::size_t anchor = 0;
+  for (std::size_t f = 0; f < frames; ++f) {
+    const Vec3<S>* now = &tracks[f * controls];
+    for (std::size_t c = 0; c < controls; ++c)
+      if (now[c].y() < now[anchor].y()) anchor = c;
+    if (f > 0) at -= now[anchor] - tracks[(f - 1) * controls + anchor];
+    at.y() = -now[anchor].y();
+    anchors[f] = static_cast<std::int32_t>(anchor);
+    root[f] = at;
+  }
+  return {};
+}
+
+}  // namespace rigless
