@@ -40,7 +40,8 @@ function folder(path: string): string {
   return path.slice(0, path.length - baseName(path).length);
 }
 
-function normalPath(path: string): string {
+/** Without ".", ".." and doubled slashes; never leads upwards. */
+export function normalPath(path: string): string {
   const out: string[] = [];
   for (const part of path.replaceAll("\\", "/").split("/")) {
     if (part === "..") out.pop();

@@ -1,7 +1,8 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
 import { buildModel, type Model, type Part, type Picture } from "./model";
-import { baseName, decodeText, extension, ModelError, type NamedFile } from "./named-file";
+import { modelFormat } from "./model-format";
+import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
 import { readGltf } from "./read-gltf";
 import { readObj } from "./read-obj";
 import { readOff } from "./read-off";
@@ -9,18 +10,6 @@ import { readPly } from "./read-ply";
 import { readStl } from "./read-stl";
 
 export type { Model } from "./model";
-
-export const MODEL_EXTENSIONS = ["obj", "ply", "stl", "glb", "gltf", "off"] as const;
-export type ModelFormat = (typeof MODEL_EXTENSIONS)[number];
-
-/** What a file is by its first bytes, else by its name; null if it is no model that we read. */
-export function modelFormat(file: NamedFile): ModelFormat | null {
-  const head = new TextDecoder("latin1").decode(file.bytes.subarray(0, 256));
-  if (head.startsWith("glTF")) return "glb";
-  if (/^ply\s/.test(head)) return "ply";
-  if (/^\s*(ST)?C?N?4?n?OFF\b/.test(head)) return "off";
-  return MODEL_EXTENSIONS.find((known) => known === extension(file.name)) ?? null;
-}
 
 /**
  * Reads the first of `files` that is a model; the others may be its material, picture and .bin files.

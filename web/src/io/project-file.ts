@@ -1,0 +1,71 @@
+// A project as one file (`name.rigless`, a zip) or as project.json beside the files that it names.
+
+import { DocumentError, parseProject, serializeProject } from "../document/project";
+import type { ProjectDocument } from "../document/types";
+import type { MotionInput } from "../engine/types";
+import { baseName, decodeText, findFile, type NamedFile, normalPath } from "./named-file";
+import { findMotions } from "./read-motion-files";
+import { sortFiles } from "./sort-files";
+import { zip } from "./zip";
+
+export interface OpenedProject {
+  document: ProjectDocument;
+  /** The model's own file first, then everything else: what readModel takes. */
+  modelFiles: NamedFile[];
+  motion: MotionInput;
+}
+
+/** What the page calls the file. */
+export function projectFileName(document: ProjectDocument): string {
+  return `${document.name.replace(/[\\/:*?"<>|\x00-\x1f]+/g, " ").trim() || "project"}.rigless`;
+}
+
+/**
+ * A zip of project.json and `files`: the model with its materials and pictures, and the motion.
+ * Names keep their folders but never lead upwards. Errors (DocumentError): a file that the project names is not among them.
+ */
+export function saveProject(document: ProjectDocument, files: readonly NamedFile[]): Uint8Array {
+  for (const path of [document.mesh.file, ...document.motion.files]) needed(files, path, "", "The project");
+  const inside: ProjectDocument = {
+    ...document,
+    mesh: { ...document.mesh, file: normalPath(document.mesh.file) },
+    motion: { files: document.motion.files.map(normalPath) },
+  };
+  return zip([
+    { name: "project.json", bytes: new TextEncoder().encode(serializeProject(inside)) },
+    ...files.map(({ name, bytes }) => ({ name: normalPath(name), bytes })),
+  ]);
+}
+
+/**
+ * Opens a saved zip, or a project.json among the files that it names.
+ * Errors (DocumentError): no project; parseProject's; a file that is not there; files that are no motion.
+ */
+export function openProject(dropped: readonly NamedFile[]): OpenedProject {
+  const { project, files } = sortFiles(dropped);
+  const what = dropped.map((file) => baseName(file.name)).join(", ");
+  if (!project) throw new DocumentError(`${what || "Nothing"} holds no project.json.`);
+  const name = baseName(project.name);
+  const text = decodeText(project.bytes);
+  if (text === null) throw new DocumentError(`${name} is not text, so it is no project.`);
+  const { document } = parseProject(text, name);
+  const model = needed(files, document.mesh.file, project.name, name);
+  return {
+    document,
+    modelFiles: [model, ...files.filter((file) => file !== model)],
+    motion: motionOf(name, document.motion.files.map((path) => needed(files, path, project.name, name))),
+  };
+}
+
+function motionOf(name: string, files: readonly NamedFile[]): MotionInput {
+  const { motions, problems } = findMotions(files);
+  if (motions.length === 1) return motions[0].input;
+  const names = files.map((file) => baseName(file.name)).join(" and ");
+  throw new DocumentError(problems.length ? `${name}: ${problems[0]}` : `${name}: ${names} should be one BVH, or one ASF with its AMC.`);
+}
+
+function needed(files: readonly NamedFile[], path: string, from: string, name: string): NamedFile {
+  const file = findFile(files, path, from);
+  if (!file) throw new DocumentError(`${name} names ${path}, which is not there. Drop it too.`);
+  return file;
+}
