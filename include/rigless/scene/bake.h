@@ -5,12 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "rigless/retarget/flight.h"
 #include "rigless/scene/drag.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {
-
-inline constexpr double gravity = -9.81;  // metres per second squared
 
 // Deforms in the body-local frame, from rest, then puts back the yaw, adds the travel and sets the height: the lowest
 // vertex of a supported frame lies on y = 0; a flight is a throw from where the body left the ground to where it lands,
@@ -37,7 +36,7 @@ class Bake {
   // allocation. Errors: index_out_of_range.
   Status frame(std::int32_t f) {
     if (performance_ == nullptr || f < 0 || f >= performance_->frames) return {Error::index_out_of_range, f};
-    const std::array<std::int32_t, 2>* flight = flight_over(f);
+    const Flight* flight = flight_over(f);
     S height = 0;
     if (flight != nullptr) height = height_in_flight(*flight, f);
     const Span<const Vec3<S>> local = deform(f);
@@ -59,9 +58,9 @@ class Bake {
   const Root& root() const { return root_; }
 
  private:
-  const std::array<std::int32_t, 2>* flight_over(std::int32_t f) const {
-    for (const auto& flight : performance_->flights) {
-      if (flight[0] < f && f < flight[1]) return &flight;
+  const Flight* flight_over(std::int32_t f) const {
+    for (const Flight& flight : performance_->flights) {
+      if (flight.take_off < f && f < flight.landing) return &flight;
     }
     return nullptr;
   }
@@ -82,16 +81,14 @@ class Bake {
     return lowest_[static_cast<std::size_t>(f)];
   }
 
-  // The height of the body's origin k frames after take-off: semi-implicit Euler, v += g, x += v, summed up, with the
-  // velocity that lands exactly. Source: thesis Eq 3.31.
-  S height_in_flight(const std::array<std::int32_t, 2>& flight, std::int32_t f) {
-    const S g = static_cast<S>(gravity / (performance_fps * performance_fps));
-    const S start = -lowest(flight[0]);
-    const S end = -lowest(flight[1]);
-    const auto duration = static_cast<S>(flight[1] - flight[0]);
-    const S velocity = (end - start - duration * (duration + 1) / 2 * g) / duration;
-    const auto k = static_cast<S>(f - flight[0]);
-    return start + k * velocity + k * (k + 1) / 2 * g;
+  // The height of the body's origin: a throw that lands exactly. The sum of flight_heights(), without its table.
+  // Source: thesis Eq 3.31.
+  S height_in_flight(const Flight& flight, std::int32_t f) {
+    const S g = gravity_per_frame(static_cast<S>(performance_fps));
+    const S start = -lowest(flight.take_off);
+    const S end = -lowest(flight.landing);
+    const auto k = static_cast<S>(f - flight.take_off);
+    return start + k * flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
   }
 
   Deformer<S>* deformer_ = nullptr;

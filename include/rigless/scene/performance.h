@@ -5,31 +5,41 @@
 #include <vector>
 
 #include "rigless/math/types.h"
+#include "rigless/motion/contacts.h"
+#include "rigless/retarget/slip.h"
 
 namespace rigless {
 
 inline constexpr double performance_fps = 30;
 
-// Mean and greatest horizontal speed of standing controls, heights per second, over pairs of frames in both of which a
-// control stands.
-template <class S>
-struct Slip {
-  S mean = 0;
-  S greatest = 0;
-};
-
 // T frames of C controls at 30 fps.
 template <class S>
 struct Performance {
-  std::int32_t frames = 0;                           // T
-  std::vector<Vec3<S>> controls;                     // T x C, body-local stage metres
-  std::vector<std::uint8_t> contacts;                // T x C, 1 while the control stands on the ground
-  std::vector<std::array<std::int32_t, 2>> flights;  // [last supported frame, first supported frame after it]
-  std::vector<S> yaw;                                // T, put back after deforming
-  std::vector<std::array<S, 2>> travel;              // T, x and z of the body's origin
-  Slip<S> slip_before, slip_after;                   // without and with the foot lock
+  std::int32_t frames = 0;               // T
+  std::vector<Vec3<S>> controls;         // T x C, body-local stage metres
+  std::vector<std::uint8_t> contacts;    // T x C, 1 while the control stands on the ground
+  std::vector<Flight> flights;           // do not overlap
+  std::vector<S> yaw;                    // T, put back after deforming
+  std::vector<std::array<S, 2>> travel;  // T, x and z of the body's origin
+  Slip<S> slip_before, slip_after;       // metres per second, without and with the foot lock
 
   std::size_t control_count() const { return frames > 0 ? controls.size() / static_cast<std::size_t>(frames) : 0; }
 };
+
+// The same in another scalar. Allocates.
+template <class T, class S>
+Performance<T> performance_cast(const Performance<S>& from) {
+  const auto number = [](S x) { return static_cast<T>(x); };
+  Performance<T> to;
+  to.frames = from.frames;
+  for (const Vec3<S>& p : from.controls) to.controls.push_back(p.template cast<T>());
+  to.contacts = from.contacts;
+  to.flights = from.flights;
+  for (const S yaw : from.yaw) to.yaw.push_back(number(yaw));
+  for (const auto& at : from.travel) to.travel.push_back({number(at[0]), number(at[1])});
+  to.slip_before = {number(from.slip_before.mean), number(from.slip_before.maximum)};
+  to.slip_after = {number(from.slip_after.mean), number(from.slip_after.maximum)};
+  return to;
+}
 
 }  // namespace rigless

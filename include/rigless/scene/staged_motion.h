@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "rigless/motion/body_frame.h"
+#include "rigless/motion/contacts.h"
 #include "rigless/motion/resample.h"
+#include "rigless/motion/units.h"
+#include "rigless/motion/up_axis.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {
@@ -13,15 +16,38 @@ namespace rigless {
 // T frames of J joints at 30 fps.
 template <class S>
 struct StagedMotion {
-  Clip<S> clip;                    // the lowest joint of all frames on y = 0; the root begins over x = z = 0
-  std::vector<Vec3<S>> local;      // T x J, body-local
-  std::vector<S> yaw;              // T
+  Clip<S> clip;                // the lowest joint of all frames on y = 0; the root begins over x = z = 0
+  std::vector<Vec3<S>> local;  // T x J, body-local
+  std::vector<S> yaw;          // T
+  JointRoles roles;
+  std::vector<std::uint8_t> left, right;  // T, 1 while the foot stands; found at the rate of the file
+  std::vector<Flight> flights;
   std::int32_t source_frames = 0;  // of the file
   S source_fps = 0;
 };
 
-// Allocates. Errors: no_frames; not_finite (where: frame of the source); out_of_memory. On failure `out` keeps what it
-// had.
+// What a BVH file does not say and was guessed from the body in it.
+struct FileGuess {
+  bool z_up = false;
+  LengthUnit unit = LengthUnit::none;
+};
+
+// Turns a clip that is in a file's own axes and lengths upright and into metres. `rest`: ParseNotes::rest. Allocates
+// scratch.
+template <class S>
+FileGuess stand_in_metres(Clip<S>& clip, Span<const Vec3<double>> rest) {
+  const JointRoles roles = find_joint_roles(clip);
+  FileGuess guess;
+  guess.z_up = guess_up_axis(clip, roles, rest) == UpAxis::z;
+  if (guess.z_up) turn_z_up_to_y_up(clip);
+  const UnitGuess<S> unit = guess_unit(clip, roles);
+  guess.unit = unit.unit;
+  scale_clip(clip, unit.metres_per_unit);
+  return guess;
+}
+
+// `source`: metres, Y up. Allocates. Errors: no_frames; not_finite (where: frame of the source); out_of_memory. On
+// failure `out` keeps what it had.
 template <class S>
 Status stage_motion(const Clip<S>& source, StagedMotion<S>& out) {
   for (std::size_t i = 0; i < source.positions.size(); ++i) {
@@ -36,6 +62,17 @@ Status stage_motion(const Clip<S>& source, StagedMotion<S>& out) {
   for (Vec3<S>& p : staged.clip.positions) p -= origin;
   staged.yaw = body_yaw(staged.clip);
   staged.local = body_local_positions<S>(staged.clip, staged.yaw);
+  staged.roles = find_joint_roles(source);
+  const Contacts contacts = find_contacts(source, staged.roles);
+  const auto fps = static_cast<S>(performance_fps);
+  staged.flights = resample_flights(contacts.flights, source.fps, fps, staged.clip.frames);
+  staged.left = contact_labels(contacts.left, source.fps, fps, staged.clip.frames);
+  staged.right = contact_labels(contacts.right, source.fps, fps, staged.clip.frames);
+  for (const Flight& flight : staged.flights) {  // rounded outwards, so the labels may reach in
+    for (std::int32_t f = flight.take_off + 1; f < flight.landing; ++f) {
+      staged.left[static_cast<std::size_t>(f)] = staged.right[static_cast<std::size_t>(f)] = 0;
+    }
+  }
   staged.source_frames = source.frames;
   staged.source_fps = source.fps;
   out = std::move(staged);

@@ -1,0 +1,63 @@
+// Which controls stand on the ground, and when.
+#pragma once
+
+#include <algorithm>
+
+#include "rigless/math/span.h"
+#include "rigless/scene/staged_motion.h"
+
+namespace rigless {
+
+// K of the C controls, with the labels that the human's feet give them.
+template <class S>
+struct StandingControls {
+  std::vector<std::int32_t> control;  // K
+  std::vector<std::uint8_t> labels;   // T x K
+  std::vector<S> ground;              // K, rest height above the lowest vertex
+};
+
+// Whether `joint` is the ankle of a limb or hangs on it.
+inline bool belongs_to_foot(const Skeleton& skeleton, const LimbRoles& limb, std::int32_t joint) {
+  if (limb.ankle < 0) return false;
+  for (; joint >= 0; joint = skeleton.parents[static_cast<std::size_t>(joint)]) {
+    if (joint == limb.ankle) return true;
+  }
+  return false;
+}
+
+// Controls that are paired with a joint of a foot stand when that foot does. A body without any (a cactus, a cup)
+// stands on its lowest controls, those within 5 % of its height of the lowest at rest, when either foot does. rest: C;
+// floor: y of the lowest vertex at rest; height: of the mesh. Allocates.
+template <class S>
+StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
+                                      Span<const Vec3<S>> rest, S floor, S height) {
+  StandingControls<S> standing;
+  std::vector<std::array<bool, 2>> feet;  // K: follows the left, the right foot
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    const bool left = belongs_to_foot(motion.clip.skeleton, motion.roles.left, pairs[c]);
+    const bool right = belongs_to_foot(motion.clip.skeleton, motion.roles.right, pairs[c]);
+    if (!left && !right) continue;
+    standing.control.push_back(static_cast<std::int32_t>(c));
+    feet.push_back({left, right});
+  }
+  if (standing.control.empty() && !rest.empty()) {
+    S lowest = rest[0].y();
+    for (const Vec3<S>& p : rest) lowest = std::min(lowest, p.y());
+    for (std::size_t c = 0; c < rest.size(); ++c) {
+      if (rest[c].y() > lowest + S(0.05) * height) continue;
+      standing.control.push_back(static_cast<std::int32_t>(c));
+      feet.push_back({true, true});
+    }
+  }
+  for (const std::int32_t c : standing.control)
+    standing.ground.push_back(rest[static_cast<std::size_t>(c)].y() - floor);
+  for (std::size_t f = 0; f < motion.left.size(); ++f) {
+    for (const auto& [left, right] : feet) {
+      const bool on = (left && motion.left[f] != 0) || (right && motion.right[f] != 0);
+      standing.labels.push_back(on ? 1 : 0);
+    }
+  }
+  return standing;
+}
+
+}  // namespace rigless
