@@ -25,6 +25,9 @@ export class CameraRig {
   private readonly shiftGoal = new Vector2();
   /** The user moved the camera: we no longer choose its distance. */
   private byHand = false;
+  /** There is something in the picture. */
+  private shown = false;
+  /** It was seen: from now on the camera moves smoothly. */
   private placed = false;
   private readonly scratch = new Vector3();
 
@@ -55,6 +58,7 @@ export class CameraRig {
   /** What must stay in the picture. Between two calls of fit() the camera only ever steps back. */
   setContent(content: Content): void {
     this.content = content;
+    this.shown = true;
     this.reframe();
   }
 
@@ -76,6 +80,7 @@ export class CameraRig {
   /** Moves on by some seconds; true while it has not come to rest. */
   update(seconds: number): boolean {
     const moving = this.controls.update(seconds);
+    this.placed ||= this.shown;
     const rest = this.shift.distanceToSquared(this.shiftGoal) < 0.04;
     if (this.still || rest) this.shift.copy(this.shiftGoal);
     else this.shift.lerp(this.shiftGoal, 1 - Math.exp(-seconds / 0.09));
@@ -123,6 +128,5 @@ export class CameraRig {
       this.distance = framing.distance;
       void this.controls.dollyTo(framing.distance, this.placed && !this.still);
     }
-    this.placed = true;
   }
 }

@@ -8,6 +8,8 @@ const CELL = SIZE / CELLS;
 const REACH = 0.3;
 const OPACITY = 0.55;
 const BLUR = 2;
+/** Small feet keep their dark after the blur. */
+const GAIN = 2;
 
 export class ContactShadow {
   readonly mesh: Mesh<PlaneGeometry, MeshBasicMaterial>;
@@ -68,7 +70,7 @@ export class ContactShadow {
       blurRows(this.scratch, this.field, CELLS, 1);
     }
     const out = this.texture.image.data as Uint8Array;
-    for (let i = 0; i < this.field.length; i++) out[2 * i + 1] = 255 * OPACITY * this.field[i]!;
+    for (let i = 0; i < this.field.length; i++) out[2 * i + 1] = 255 * OPACITY * Math.min(1, GAIN * this.field[i]!);
     this.texture.needsUpdate = true;
   }
 

@@ -17,6 +17,9 @@ export interface DotMark extends DotHit {
   behind: boolean;
 }
 
+/** Focus that shows: not the one that a press of the pointer leaves behind. */
+const FOCUSED = ":focus-visible:not(.pressed)";
+
 const COLOURS = ["#d55e00", "#56b4e9", "#e69f00", "#0072b2", "#cc79a7", "#009e73", "#17212b"];
 
 /** A point's colour as CSS; from 8 on the order repeats. */
@@ -96,6 +99,16 @@ export class DotOverlay {
     for (const mark of this.marks) mark.button.classList.toggle("pulse", mark.id === id && mark.on === "model");
   }
 
+  /** Gives a mark the focus from a press of the pointer, without the ring until a key is used. */
+  press(mark: DotMark): void {
+    const { button } = mark;
+    button.classList.add("pressed");
+    button.focus({ preventScroll: true });
+    const show = (): void => button.classList.remove("pressed");
+    button.addEventListener("keydown", show, { once: true });
+    button.addEventListener("blur", show, { once: true });
+  }
+
   /** Of the dots within reach the nearest, but one in front before any behind the mesh. */
   nearest(x: number, y: number, reach: number): DotHit | null {
     let best: DotMark | null = null;
@@ -136,7 +149,7 @@ export class DotOverlay {
 
   /** The mark that the tag names: in the hand, else under the pointer, else with the keyboard's focus, else selected. */
   named(): DotMark | null {
-    const focused = this.marks.find((mark) => mark.button.matches(":focus-visible"));
+    const focused = this.marks.find((mark) => mark.button.matches(FOCUSED));
     return (
       (this.held !== null && this.find(this.held, "model")) ||
       (this.hover && this.find(this.hover.id, this.hover.on)) ||
@@ -148,7 +161,7 @@ export class DotOverlay {
   /** Pairs whose line shows even outside the mode for points. */
   hoveredPair(): string | null {
     if (this.held !== null) return null;
-    return this.hover?.id ?? this.marks.find((mark) => mark.button.matches(":focus-visible"))?.id ?? null;
+    return this.hover?.id ?? this.marks.find((mark) => mark.button.matches(FOCUSED))?.id ?? null;
   }
 
   private newButton(on: Figure): HTMLButtonElement {
@@ -170,7 +183,9 @@ export class DotOverlay {
 }
 
 function dress({ button, dot, on }: DotMark, joint: string | null): void {
-  button.className = ["dot", on, joint === null ? "unpaired" : "", dot.number > COLOURS.length ? "square" : ""].join(" ").trim();
+  button.classList.add("dot", on);
+  button.classList.toggle("unpaired", joint === null);
+  button.classList.toggle("square", dot.number > COLOURS.length);
   button.dataset["dot"] = dot.id;
   const i = ((dot.number - 1) % COLOURS.length) + 1;
   button.style.setProperty("--c", dotColour(dot.number));

@@ -39,7 +39,7 @@ export class Ground {
       float lines(float gap) {
         vec2 width = fwidth(place) * pixelRatio;
         vec2 off = abs(fract((place + travel) / gap + 0.5) - 0.5) * gap;
-        vec2 ink = (1.0 - smoothstep(0.3, 1.1, off / width)) * (1.0 - smoothstep(0.12, 0.33, width / gap));
+        vec2 ink = (1.0 - smoothstep(0.15, 0.9, off / width)) * (1.0 - smoothstep(0.12, 0.33, width / gap));
         return max(ink.x, ink.y);
       }
       void main() {

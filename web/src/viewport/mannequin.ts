@@ -1,12 +1,12 @@
 // The human: white clay capsules, a fuller torso, an egg for a head, no face.
 
-import { BufferAttribute, CylinderGeometry, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PlaneGeometry, Quaternion, ReplaceStencilOp, SphereGeometry, Vector3 } from "three";
+import { BufferAttribute, type Color, CustomBlending, CylinderGeometry, DynamicDrawUsage, GreaterDepth, Group, InstancedMesh, type Material, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, NotEqualStencilFunc, OneFactor, PlaneGeometry, Quaternion, ReplaceStencilOp, SphereGeometry, Vector3, ZeroFactor } from "three";
 import { type BodyPlan, buildBodyPlan, highestLeaf, type Torso } from "./body-plan";
 import type { ContactShadow } from "./contact-shadow";
 import type { DrawnHuman } from "./types";
 
 const UP = new Vector3(0, 1, 0);
-const HEAD = { width: 0.088, height: 0.122, depth: 0.102 };
+const HEAD = { width: 0.1, height: 0.135, depth: 0.11 };
 
 export class Mannequin {
   readonly group = new Group();
@@ -14,16 +14,35 @@ export class Mannequin {
   /** J x 3 world, what is drawn now. */
   pose: Float32Array | null = null;
   private readonly material = new MeshStandardMaterial({
-    color: "#f4f5f6",
+    color: "#ffffff",
+    emissive: "#dfe7ec",
+    emissiveIntensity: 0.12,
     roughness: 0.75,
     metalness: 0,
     stencilWrite: true,
     stencilRef: 1,
     stencilZPass: ReplaceStencilOp,
   });
+  /** Shows through the model where both stand on one spot; each pixel once, before the solid parts cover what is in front. */
+  private readonly seenThrough = new MeshBasicMaterial({
+    blending: CustomBlending, // kept among the opaque, so that the order holds
+    blendSrcAlpha: ZeroFactor,
+    blendDstAlpha: OneFactor,
+    opacity: 0.6,
+    fog: false,
+    toneMapped: false,
+    depthFunc: GreaterDepth,
+    depthWrite: false,
+    stencilWrite: true,
+    stencilRef: 2,
+    stencilFunc: NotEqualStencilFunc,
+    stencilZPass: ReplaceStencilOp,
+  });
+  private readonly through = new Group();
   private readonly rods: InstancedMesh;
   private readonly balls: InstancedMesh;
   private readonly head = new Mesh(eggGeometry(), this.material);
+  private headThrough: Mesh | null = null;
   private readonly torso: TorsoSkin | null;
   private headJoint: number;
   private readonly matrix = new Matrix4();
@@ -43,9 +62,22 @@ export class Mannequin {
     for (const part of parts) {
       part.castShadow = part.receiveShadow = true;
       part.frustumCulled = false;
+      part.renderOrder = 2;
       this.group.add(part);
+      const shade = part instanceof InstancedMesh ? sharedInstances(part, this.seenThrough) : new Mesh(part.geometry, this.seenThrough);
+      shade.frustumCulled = false;
+      shade.renderOrder = 1;
+      if (part === this.head) this.headThrough = shade;
+      this.through.add(shade);
     }
+    this.through.visible = false;
+    this.group.add(this.through);
     this.group.visible = false;
+  }
+
+  setSeenThrough(on: boolean, colour: Color): void {
+    this.through.visible = on;
+    this.seenThrough.color.copy(colour);
   }
 
   setPose(pose: Float32Array): void {
@@ -83,6 +115,11 @@ export class Mannequin {
     shadow.end();
   }
 
+  /** Where a joint is seen: the head's in the middle of the egg. */
+  seen(index: number, out: Vector3): Vector3 {
+    return index === this.headJoint && this.head.visible ? out.copy(this.head.position) : this.joint(index, out);
+  }
+
   joint(index: number, out: Vector3): Vector3 {
     return this.pose ? out.fromArray(this.pose, 3 * index) : out.set(0, 0, 0);
   }
@@ -93,6 +130,7 @@ export class Mannequin {
     this.balls.dispose();
     this.torso?.dispose();
     this.material.dispose();
+    this.seenThrough.dispose();
   }
 
   private ball(index: number, at: Vector3, radius: number): void {
@@ -125,7 +163,16 @@ export class Mannequin {
     across.addScaledVector(axis, -across.dot(axis)).normalize();
     this.matrix.makeBasis(across, axis, this.a.crossVectors(across, axis));
     this.head.quaternion.setFromRotationMatrix(this.matrix);
+    this.headThrough?.position.copy(this.head.position);
+    this.headThrough?.quaternion.copy(this.head.quaternion);
   }
+}
+
+/** The same instances in another material; the matrices are shared, not copied. */
+function sharedInstances(mesh: InstancedMesh, material: Material): InstancedMesh {
+  const copy = new InstancedMesh(mesh.geometry, material, mesh.count);
+  copy.instanceMatrix = mesh.instanceMatrix;
+  return copy;
 }
 
 /** An egg, blunt end up. */
@@ -183,12 +230,12 @@ class TorsoSkin {
       across.copy(hipLine).multiplyScalar(s).addScaledVector(shoulderLine, t);
       across.addScaledVector(along, -across.dot(along)).normalize();
       out.crossVectors(across, along);
-      const close = Math.pow(Math.sin(angle), 0.35);
+      const close = Math.pow(Math.max(0, Math.sin(angle)), 0.35);
       const waist = 1 - 0.42 * Math.sin(Math.PI * t) * (1 - 0.35 * t);
       const width = close * (s * hips + t * shoulders) * Math.max(waist, 0.72);
       const depth = close * (0.098 * s + 0.1 * t) * (1 - 0.12 * Math.sin(Math.PI * t));
       for (let side = 0; side <= SIDES; side++) {
-        const turn = (2 * Math.PI * side) / SIDES;
+        const turn = (-2 * Math.PI * side) / SIDES; // so that faces look outwards
         const x = width * Math.cos(turn);
         const z = depth * Math.sin(turn);
         this.position.setXYZ(

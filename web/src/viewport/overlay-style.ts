@@ -25,8 +25,8 @@ svg { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: n
 .dot.on { z-index: 4; }
 .dot.on .mark { box-shadow: 0 0 0 1.7px var(--ring, #fff), 0 0 0 2.5px rgb(23 33 43 / .55), 0 0 0 7px var(--now, #ffd233), 0 0 0 8.5px #17212b; }
 .dot.human.on .mark { box-shadow: 0 0 0 1.7px var(--ring, #fff), 0 0 0 2.5px rgb(23 33 43 / .55), 0 0 0 5px var(--now, #ffd233), 0 0 0 6.2px #17212b; }
-.dot:focus-visible { z-index: 5; }
-.dot:focus-visible .mark { box-shadow: 0 0 0 2px var(--paper, #fff), 0 0 0 4px var(--ink, #17212b), 0 0 0 7px var(--now, #ffd233); }
+.dot:focus-visible:not(.pressed) { z-index: 5; }
+.dot:focus-visible:not(.pressed) .mark { box-shadow: 0 0 0 2px var(--paper, #fff), 0 0 0 4px var(--ink, #17212b), 0 0 0 7px var(--now, #ffd233); }
 .dot.pulse::before, .dot.pulse::after { content: ""; position: absolute; width: 28px; height: 28px; border-radius: 50%; border: 1.5px solid var(--ink, #17212b);
   opacity: 0; animation: ring 1.6s var(--ease, ease-out) 3; pointer-events: none; }
 .dot.pulse::after { animation-delay: .25s; }

@@ -3,14 +3,14 @@
 
 import { Fog, Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector2, Vector3, VSMShadowMap, WebGLRenderer } from "three";
 import { ContactShadow } from "./contact-shadow";
-import { lanes, type Content } from "./framing";
+import { AZIMUTH, lanes, type Content } from "./framing";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
 import type { Theme } from "./theme";
 
 const FIGURE_HEIGHT = 1.75;
 /** A person with swinging arms. */
-export const HUMAN_WIDTH = 1.1;
+export const HUMAN_WIDTH = 1.3;
 const FOLLOW_SECONDS = 0.15;
 /** Farther than a dancer moves between two frames: the clip started again. */
 const JUMP = 1.2;
@@ -38,13 +38,14 @@ export class Stage {
   readonly scene = new Scene();
   readonly model = new Lane();
   readonly human = new Lane();
+  /** Both figures on one spot. */
+  overlay = false;
   content: Content = { width: 2.7, height: FIGURE_HEIGHT, depth: 1 };
   private readonly fog = new Fog("#ffffff");
   private readonly lights = new Lights(true);
   private readonly ground = new Ground();
   private readonly travel = new Vector2();
   private readonly goal = new Vector2();
-  private overlay = false;
   private placed = false;
 
   constructor(canvas: HTMLCanvasElement, private readonly still: boolean) {
@@ -106,7 +107,8 @@ export class Stage {
       const gap = Math.abs(lane.xGoal - lane.x);
       lane.x += (gap < 0.001 ? 1 : ease) * (lane.xGoal - lane.x);
       moving ||= gap >= 0.001;
-      lane.offset.set(lane.x - this.travel.x, 0, -this.travel.y);
+      // Lanes lie across the first view, so that both stand equally far from the eye.
+      lane.offset.set(lane.x * Math.cos(AZIMUTH) - this.travel.x, 0, -lane.x * Math.sin(AZIMUTH) - this.travel.y);
       lane.group.position.copy(lane.offset);
     }
     if (moving) this.renderer.shadowMap.needsUpdate = true;

@@ -70,11 +70,15 @@ export interface ViewportApi {
   /** J x 3 world metres. */
   setHumanPose(positions: Float32Array): void;
   setDots(dots: readonly Dot[], selected: string | null): void;
+  /** Two rings around a dot of the model, three times, for a first visit; null stops them. */
+  pulse(id: string | null): void;
   setMode(mode: ViewMode): void;
   /** Dashed ghost of a shape behind the model (V x 3 world), or null. */
   setGhost(positions: Float32Array | null): void;
   /** The pair line that follows the pointer from this dot or joint, or null. */
   setLivePair(from: { id: string } | { joint: number } | null): void;
+  /** A second line on the tag of the dot in the hand, such as the volume; "" for none. */
+  setNote(words: string): void;
   /** Where cards float over the stage, in CSS pixels; figures are framed in what is left. */
   setInsets(insets: Insets): void;
   /** "side": human left, model right; "overlay": on the same spot. */

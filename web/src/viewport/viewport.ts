@@ -139,6 +139,7 @@ export class Viewport implements ViewportApi {
     this.mannequin = human && new Mannequin(human);
     this.nextPose = null;
     if (this.mannequin) lane.group.add(this.mannequin.group);
+    this.dressHuman();
     lane.shadow.mesh.visible = false; // until there is a pose
     this.stage.setWidth(lane, human ? HUMAN_WIDTH : 0);
     this.setDots(this.dots, this.selected);
@@ -193,6 +194,7 @@ export class Viewport implements ViewportApi {
 
   setLayout(layout: "side" | "overlay"): void {
     this.stage.setOverlay(layout === "overlay");
+    this.dressHuman();
     this.rig.setContent(this.stage.content);
     this.invalidate();
   }
@@ -215,6 +217,7 @@ export class Viewport implements ViewportApi {
     this.theme = readTheme(this.root.shadowRoot ?? this.root);
     this.stage.setTheme(this.theme);
     this.figure?.setTheme(this.theme);
+    this.dressHuman();
     this.thumbnails.setDark(this.theme.dark);
     this.invalidate();
   }
@@ -233,6 +236,10 @@ export class Viewport implements ViewportApi {
     this.mannequin?.dispose();
     this.stage.dispose();
     this.root.remove();
+  }
+
+  private dressHuman(): void {
+    this.mannequin?.setSeenThrough(this.stage.overlay, this.theme.stage);
   }
 
   // Drawing
@@ -326,7 +333,7 @@ export class Viewport implements ViewportApi {
 
   private jointPosition(joint: number, out: Vector3): Vector3 {
     if (!this.mannequin?.pose) return out.set(0, 0, 1e4); // behind the camera: not shown
-    return this.mannequin.joint(joint, out).add(this.stage.human.offset);
+    return this.mannequin.seen(joint, out).add(this.stage.human.offset);
   }
 
   /** Rays cost a refit of the tree, so while things move they are cast a few times a second. */
@@ -424,7 +431,7 @@ export class Viewport implements ViewportApi {
   private press(at: Point, touch: boolean): boolean {
     this.pressed = this.overlay.nearest(at.x, at.y, touch ? DOT_REACH.touch : DOT_REACH.mouse);
     const mark = this.pressed && this.overlay.find(this.pressed.id, this.pressed.on);
-    mark?.button.focus({ preventScroll: true });
+    if (mark) this.overlay.press(mark);
     const drags = mark !== null && mark.on === "model" && this.mode === "pose";
     this.root.style.cursor = drags ? "grabbing" : "";
     return drags;
