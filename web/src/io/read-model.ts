@@ -3,11 +3,7 @@
 import { buildModel, type Model, type Part, type Picture } from "./model";
 import { modelFormat } from "./model-format";
 import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
-import { readGltf } from "./read-gltf";
-import { readObj } from "./read-obj";
 import { readOff } from "./read-off";
-import { readPly } from "./read-ply";
-import { readStl } from "./read-stl";
 
 export type { Model } from "./model";
 
@@ -34,6 +30,7 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   }
 }
 
+/** Loads the readers one by one as they are needed, so that the page's first load carries only the one of its own model. */
 async function readParts(
   name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
 ): Promise<{ parts: Part[]; texture: Picture | null }> {
@@ -41,13 +38,13 @@ async function readParts(
   switch (format) {
     case "glb":
     case "gltf":
-      return readGltf(name, file, files, notes);
+      return (await import("./read-gltf")).readGltf(name, file, files, notes);
     case "ply":
-      return { parts: readPly(name, file.bytes, notes), texture: null };
+      return { parts: (await import("./read-ply")).readPly(name, file.bytes, notes), texture: null };
     case "stl":
-      return { parts: readStl(name, file.bytes), texture: null };
+      return { parts: (await import("./read-stl")).readStl(name, file.bytes), texture: null };
     case "obj":
-      return readObj(name, file.name, textOf(name, file.bytes, "OBJ"), files, notes);
+      return (await import("./read-obj")).readObj(name, file.name, textOf(name, file.bytes, "OBJ"), files, notes);
     case "off":
       return { parts: readOff(name, textOf(name, file.bytes, "OFF"), notes), texture: null };
     case null:

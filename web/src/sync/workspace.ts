@@ -32,7 +32,13 @@ interface Bound {
   mesh: ProjectDocument["mesh"] | null;
   points: string | null;
   motion: MotionInput | null;
-  solved: string | readonly unknown[] | null;
+  solved: readonly unknown[] | null;
+}
+
+/** What the engine says of a document that it took. */
+export interface Taken {
+  report: MeshReport | null;
+  motion: Motion | null;
 }
 
 const NOTHING: Bound = { model: null, mesh: null, points: null, motion: null, solved: null };
@@ -45,6 +51,8 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   performance: Performance | null = null;
   private engine: Engine;
   private bound: Bound = { ...NOTHING };
+  private boundReport: MeshReport | null = null;
+  private boundMotion: Motion | null = null;
   private announced: Bound = { ...NOTHING };
   private chain: Promise<void> = Promise.resolve();
   private queued = false;
@@ -79,13 +87,15 @@ export class Workspace extends Emitter<WorkspaceEvents> {
 
   /**
    * Lets the engine take a document's mesh, points and motion, before it becomes the present one. On failure everything stays.
-   * Rejects with EngineError: bad_mesh, bad_controls, bad_motion, cancelled.
+   * Answers what the engine says of them. Rejects with EngineError: bad_mesh, bad_controls, bad_motion, cancelled.
    */
-  tryOn(candidate: ProjectDocument, signal?: AbortSignal, onProgress?: (done: number) => void): Promise<void> {
+  tryOn(candidate: ProjectDocument, signal?: AbortSignal, onProgress?: (done: number) => void): Promise<Taken> {
     this.abort.abort();
-    const result = this.chain.then(() => this.recovering(() => this.bind(candidate, signal, onProgress)));
-    this.chain = result.catch(() => undefined);
-    result.catch(() => this.sync());
+    const result = this.chain.then(async () => {
+      await this.recovering(() => this.bind(candidate, signal, onProgress));
+      return { report: this.boundReport, motion: this.boundMotion };
+    });
+    this.chain = result.then(() => undefined, () => void this.sync());
     return result;
   }
 
@@ -162,7 +172,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     if (bound.model !== model || bound.mesh?.facing !== document.mesh.facing || bound.mesh?.up !== document.mesh.up) {
       const report = await this.engine.setMesh(meshInput(model, document.mesh), options);
       Object.assign(bound, { model, mesh: document.mesh, points: null, solved: null });
-      this.nextReport = report;
+      this.boundReport = report;
     }
     const controls = controlInputs(model, document);
     const key = JSON.stringify(controls);
@@ -172,26 +182,23 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     }
     const motion = this.library.motion(document.motion.files);
     if (motion && bound.motion !== motion) {
-      this.nextMotion = await this.engine.setMotion(motion, options);
+      this.boundMotion = await this.engine.setMotion(motion, options);
       Object.assign(bound, { motion, solved: null });
     }
   }
-
-  private nextReport: MeshReport | null = null;
-  private nextMotion: Motion | null = null;
 
   /** Tells what has changed in the engine since the last time, once its document is the present one. */
   private announce(): void {
     const { bound, announced } = this;
     const turned = announced.mesh?.facing !== bound.mesh?.facing || announced.mesh?.up !== bound.mesh?.up;
-    if (bound.model && this.nextReport && (announced.model !== bound.model || turned)) {
-      this.report = this.nextReport;
+    if (bound.model && this.boundReport && (announced.model !== bound.model || turned)) {
+      this.report = this.boundReport;
       this.cache.clear();
       this.performance = null;
       this.emit("mesh", this.report);
     }
-    if (bound.motion && this.nextMotion && announced.motion !== bound.motion) {
-      this.motion = this.nextMotion;
+    if (bound.motion && this.boundMotion && announced.motion !== bound.motion) {
+      this.motion = this.boundMotion;
       this.emit("motion", this.motion);
     }
     this.announced = { ...bound };
@@ -209,7 +216,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       return;
     }
     const solved = [document.points, document.examples, document.settings] as const;
-    if (Array.isArray(bound.solved) && bound.solved.every((part, k) => part === solved[k])) return;
+    if (bound.solved?.every((part, k) => part === solved[k])) return;
     if (signal.aborted) throw new EngineError("cancelled", "Cancelled.");
     this.interruptible = false;
     const performance = await this.engine.retarget(retargetInput(model, document, motion));

@@ -1,5 +1,6 @@
 import { css, html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { debugHandle } from "./handle";
 import { handleKey } from "./session/keys";
 import { Session } from "./session/session";
 import { base } from "./styles";
@@ -107,6 +108,7 @@ export class App extends LitElement {
 
   protected override firstUpdated(): void {
     this.session.start(this.host);
+    globalThis.rigless = debugHandle(this.session);
     for (const topic of ["verb", "notices", "jobs", "pairing"] as const) this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;

@@ -1,68 +1,133 @@
 import * as commands from "../../document/commands";
-import type { ProjectDocument } from "../../document/types";
+import type { Gesture } from "../../document/store";
+import type { MeshRef, ProjectDocument } from "../../document/types";
 import { EngineError } from "../../engine/types";
-import type { MotionInput } from "../../engine/types";
-import type { Model } from "../../io/model";
-import { readModel } from "../../io/read-model";
-import { figure } from "../words";
+import { baseName } from "../../io/named-file";
+import type { NamedFile } from "../../io/named-file";
+import { readModelInWorker } from "../../io/read-model-in-worker";
+import type { FoundMotion } from "../../io/read-motion-files";
+import type { SortedFiles } from "../../io/sort-files";
+import { pairingNotes } from "../../sync/prepare";
+import type { Taken } from "../../sync/workspace";
+import { modelText, motionText } from "./file-words";
 import type { JobHandle } from "./jobs";
+import type { NoticeInput } from "./notices";
 import type { MotionEntry, Session } from "./session";
+import type { Sources } from "./sources";
 
 /** From files to the document. What cannot be opened leaves everything as it was and says so. */
 export class Opening {
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly session: Session,
+    private readonly sources: Sources,
+  ) {}
 
   /** The cactus and its dance, as one step. */
-  builtin({ first }: { first: boolean }): Promise<void> {
-    return this.guarded("The cactus", async () => {
-      const { builtins } = this.session;
+  async builtin({ first }: { first: boolean }): Promise<void> {
+    await this.guarded("The cactus", async () => {
+      const { session } = this;
+      const { builtins } = session;
       const motionFile = builtins.motions[0] ?? "";
       const [document, bytes, text] = await Promise.all([builtins.project(), builtins.modelBytes(), builtins.motionText(motionFile)]);
-      const model = await readModel([{ name: builtins.model.file, bytes }]);
-      this.keepMotion(document.motion.files, { format: "bvh", name: motionFile, text });
-      const next = await this.withModel(document, model);
-      if (first) this.session.store.replace(next);
-      else this.session.apply(() => next);
-      this.session.markSaved();
+      const model = await readModelInWorker([{ name: builtins.model.file, bytes }]);
+      const motion = this.sources.keepMotion([motionFile], { format: "bvh", name: motionFile, text });
+      const file = await this.sources.keepModel(document.mesh.file, model, [{ name: builtins.model.file, bytes }]);
+      const next = { ...document, mesh: { ...document.mesh, file }, motion: { files: motion } };
+      if (first) session.store.replace(next);
+      else await this.change(next);
+      session.markSaved();
     });
   }
 
-  async useMotion(entry: MotionEntry): Promise<void> {
-    await this.guarded(entry.files.at(-1) ?? "This motion", async () => {
-      const { session } = this;
-      const file = entry.files.at(-1) ?? "";
-      if (entry.builtin && !session.workspace.library.motion(entry.files)) {
-        this.keepMotion(entry.files, { format: "bvh", name: file, text: await session.builtins.motionText(file) });
-      }
-      await this.change(commands.setMotion({ files: entry.files })(session.document));
-    });
-  }
-
-  async files(files: readonly File[]): Promise<void> {
-    console.log(files.length);
-  }
-
-  private keepMotion(files: readonly string[], input: MotionInput): readonly string[] {
-    return this.session.workspace.library.addMotion(files, input);
-  }
-
-  /** Keeps a model and names it in the document. */
-  private async withModel(document: ProjectDocument, model: Model): Promise<ProjectDocument> {
+  async useMotion({ files, builtin }: MotionEntry): Promise<void> {
     const { session } = this;
-    const { texture } = model.drawn;
-    if (texture && !session.textures.has(model)) {
-      const blob = new Blob([texture.bytes.slice()], { type: texture.mime });
-      session.textures.set(model, await createImageBitmap(blob, { premultiplyAlpha: "none", colorSpaceConversion: "none" }));
+    const file = files.at(-1) ?? "";
+    await this.guarded(file, async () => {
+      if (builtin && !session.workspace.library.motion(files)) {
+        this.sources.keepMotion(files, { format: "bvh", name: file, text: await session.builtins.motionText(file) });
+      }
+      await this.change(commands.setMotion({ files })(session.document));
+    });
+  }
+
+  /** Whatever was dropped or chosen: a project, or a model, or motions, or both. */
+  async files(files: readonly File[]): Promise<void> {
+    const names = files.map((file) => file.name);
+    const title = names.length === 1 ? `Opening ${names[0]}` : `Opening ${names.length} files`;
+    await this.guarded(names.join(", "), () =>
+      this.session.jobs.run(title, ["Read", "Understand", "Bind"], async (job) => {
+        const named = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
+        job.signal.throwIfAborted();
+        job.step(1);
+        const { sortFiles } = await import("../../io/sort-files");
+        const sorted = sortFiles(named);
+        const gesture = Symbol("open");
+        if (sorted.project) await this.project(named, job, gesture);
+        else {
+          await this.model(sorted, job, gesture);
+          await this.motions(sorted.motions, job, gesture);
+        }
+        const nothing = !sorted.project && sorted.models.length === 0 && sorted.motions.length === 0;
+        for (const problem of sorted.problems) this.say({ bad: nothing, title: problem, text: nothing ? this.untouched() : "" });
+      }));
+  }
+
+  private async project(dropped: readonly NamedFile[], job: JobHandle, gesture: Gesture): Promise<void> {
+    const { openProject } = await import("../../io/project-file");
+    const opened = openProject(dropped);
+    const model = await readModelInWorker(opened.modelFiles, { signal: job.signal });
+    job.step(2);
+    const files = this.sources.keepMotion(opened.document.motion.files, opened.motion);
+    const file = await this.sources.keepModel(opened.document.mesh.file, model, opened.modelFiles);
+    await this.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
+    const { session } = this;
+    session.markSaved();
+    session.goodbye();
+    session.setVerb(null);
+    this.say({ title: `${opened.document.name} is open.`, text: model.notes.join(" "), actions: [session.undoAction()] });
+  }
+
+  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<void> {
+    const [first, ...others] = sorted.models;
+    if (!first) return;
+    const { session } = this;
+    await this.guarded(baseName(first.name), async () => {
+      const beside = sorted.files.filter((file) => !sorted.models.includes(file));
+      const model = await readModelInWorker([first, ...beside], { signal: job.signal });
+      job.step(2);
+      const file = await this.sources.keepModel(first.name, model, [first, ...beside]);
+      const mesh: MeshRef = { file, facing: "+z", up: "+y" };
+      const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
+      const { report } = await this.change(named(commands.setMesh(mesh)(session.document)), job, gesture);
+      session.goodbye();
+      session.setVerb("points");
+      this.say({ ...modelText(model, mesh, report), icon: "scale", actions: [session.undoAction()] });
+    });
+    for (const other of others) this.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
+  }
+
+  private async motions(motions: readonly FoundMotion[], job: JobHandle, gesture: Gesture): Promise<void> {
+    const { session } = this;
+    for (const [k, motion] of motions.entries()) {
+      await this.guarded(motion.input.name, async () => {
+        job.step(2);
+        const files = this.sources.keepMotion(motion.files, motion.input);
+        if (k > 0) return;
+        const taken = await this.change(commands.setMotion({ files })(session.document), job, gesture);
+        session.goodbye();
+        const notes = taken.motion ? pairingNotes(session.document, taken.motion) : [];
+        this.say({ ...motionText(motion.input.name, taken.motion, notes), icon: "motion", actions: [session.undoAction()] });
+      });
     }
-    const file = session.workspace.library.addModel(document.mesh.file, model);
-    return { ...document, mesh: { ...document.mesh, file } };
+    if (motions.length > 1) this.say({ title: `${motions.length} motions came in.`, text: "The first one plays; the others are in the list.", actions: [{ label: "Show", run: () => session.setVerb("motion") }] });
   }
 
   /** One step to another document, if the engine can take it. */
-  private async change(next: ProjectDocument, job?: JobHandle): Promise<void> {
+  private async change(next: ProjectDocument, job?: JobHandle, gesture?: Gesture): Promise<Taken> {
     const { session } = this;
-    await session.workspace.tryOn(next, job?.signal, (done) => job?.progress(done));
-    session.apply(() => next);
+    const taken = await session.workspace.tryOn(next, job?.signal, (done) => job?.progress(done));
+    session.apply(() => next, gesture);
+    return taken;
   }
 
   /** Says what went wrong in the words of whoever found it. */
@@ -71,13 +136,19 @@ export class Opening {
       await work();
     } catch (error) {
       if (error instanceof EngineError && error.code === "cancelled") return;
+      if (error instanceof DOMException && error.name === "AbortError") return;
       const message = error instanceof Error ? error.message : String(error);
-      this.session.notices.say({ bad: true, title: message.includes(what) ? message : `${what}: ${message}`, text: this.untouched() });
+      const named = what.split(", ").some((name) => message.includes(baseName(name)));
+      this.say({ bad: true, title: named ? message : `${what}: ${message}`, text: this.untouched() });
     }
+  }
+
+  private say(notice: NoticeInput): void {
+    this.session.notices.say(notice);
   }
 
   private untouched(): string {
     return this.session.document.mesh.file === "" ? "Nothing is shown yet." : `Your ${this.session.modelName.toLowerCase()} is untouched.`;
   }
 }
-void figure;
+

@@ -28,6 +28,7 @@ import type { FileKind } from "../pick-files";
 import { Player } from "./player";
 import { Saving } from "./saving";
 import { Show } from "./show";
+import { Sources } from "./sources";
 import { Thumbnails } from "./thumbnails";
 import type { Verb } from "./verbs";
 
@@ -72,11 +73,10 @@ export class Session extends Emitter<SessionEvents> {
   readonly thumbnails = new Thumbnails(this);
   readonly pairing = new Pairing(this);
   readonly builtins = new Builtins();
-  /** Decoded base colours of the models that have one. */
-  readonly textures = new WeakMap<SolverModel, ImageBitmap>();
   private readonly dragging = new Dragging(this);
-  private readonly opening = new Opening(this);
-  private readonly saving = new Saving(this);
+  readonly sources = new Sources(this.workspace.library);
+  private readonly opening = new Opening(this, this.sources);
+  private readonly saving = new Saving(this, this.sources);
   private readonly show = new Show(this);
   viewport: Viewport | null = null;
   selected: string | null = null;

@@ -31,7 +31,7 @@ export class Show {
       faces: model.faces,
       colors: drawn.colors,
       uvs: drawn.uvs,
-      texture: session.textures.get(model) ?? null,
+      texture: session.sources.texture(model),
     });
     this.rest = meshInput(model, mesh).positions;
     session.thumbnails.reset(this.rest);
