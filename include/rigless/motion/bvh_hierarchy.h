@@ -49,8 +49,9 @@ class UniqueNames {
  public:
   std::string operator()(std::string_view wanted, std::int32_t& renamed) {
     std::string name(wanted.empty() ? std::string_view("joint") : wanted);
-    if (!wanted.empty() && last_.emplace(name, 1).second) return name;
-    ++renamed;
+    const bool free = last_.emplace(name, 1).second;
+    renamed += free && !wanted.empty() ? 0 : 1;
+    if (free) return name;
     std::int32_t& last = last_[name];
     while (true) {
       std::string candidate = name + "_" + std::to_string(++last);

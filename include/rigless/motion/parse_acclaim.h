@@ -23,9 +23,9 @@ namespace rigless {
 // unless the file says otherwise (:SAMPLES-PER-SECOND). Bones may come in any order; one that a frame leaves out is at
 // rest, the root stays where it was. Values that stretch or shift a bone are read and ignored. Allocates in proportion
 // to the text. Errors: empty_input, not_this_format; unknown_joint: a bone that the skeleton has not, commonly because
-// the two files belong to different people; bad_number, bad_syntax: more values than the bone's dof, with their line;
-// no_frames; not_finite: a number too large for S; out_of_memory: more than 2^26 positions. `clip` and `notes` then
-// keep what they had.
+// the two files belong to different people; bad_number, bad_syntax: not as many values as the bone has dofs, with their
+// line; no_frames; not_finite: a number too large for S; out_of_memory: more than 2^26 positions. `clip` and `notes`
+// then keep what they had.
 template <class S>
 Status parse_amc(std::string_view text, const AcclaimSkeleton& skeleton, Clip<S>& clip, ParseNotes* notes = nullptr);
 
@@ -110,6 +110,7 @@ inline Status AmcParser::read_bone(std::string_view name) {
   double* values = values_.data() + (frames_ - 1) * stride_ + first_[bone];
   const std::int32_t line = scanner_.line();
   for (std::size_t k = 0; k < skeleton_.bones[bone].channels.size(); ++k) {
+    if (scanner_.more() && scanner_.line() != line) return {Error::bad_syntax, line};
     if (const Status status = scanner_.number(values[k]); !status.ok()) return status;
   }
   double excess = 0;

@@ -55,10 +55,18 @@ Status resample(const Clip<S>& clip, S fps, Clip<S>& out) {
     const std::int32_t c = std::min(b + 1, clip.frames - 1);
     const std::int32_t d = std::min(b + 2, clip.frames - 1);
     const S u = static_cast<S>(time - b);
-    const S wa = u * (-1 + u * (2 - u)) / 2;
-    const S wb = 1 + u * u * (-5 + 3 * u) / 2;
-    const S wc = u * (1 + u * (4 - 3 * u)) / 2;
-    const S wd = u * u * (u - 1) / 2;
+    S wa = u * (-1 + u * (2 - u)) / 2;
+    S wb = 1 + u * u * (-5 + 3 * u) / 2;
+    S wc = u * (1 + u * (4 - 3 * u)) / 2;
+    S wd = u * u * (u - 1) / 2;
+    if (b == 0) {  // the frame before the first goes on in a straight line, as does the one after the last
+      wb += 2 * wa;
+      wc -= std::exchange(wa, S(0));
+    }
+    if (b + 2 >= clip.frames) {
+      wc += 2 * wd;
+      wb -= std::exchange(wd, S(0));
+    }
     for (std::int32_t j = 0; j < clip.joints(); ++j) {
       result.positions.push_back(wa * clip.at(a, j) + wb * clip.at(b, j) + wc * clip.at(c, j) + wd * clip.at(d, j));
     }

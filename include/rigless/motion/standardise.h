@@ -1,0 +1,38 @@
+// From what a file says to what the library takes: metres, Y up, a root that faces where the body faces.
+#pragma once
+
+#include <utility>
+
+#include "rigless/math/span.h"
+#include "rigless/motion/clip.h"
+#include "rigless/motion/joint_roles.h"
+#include "rigless/motion/root_axes.h"
+#include "rigless/motion/units.h"
+#include "rigless/motion/up_axis.h"
+
+namespace rigless {
+
+// What was found and done, so that the user can be told.
+template <class S>
+struct Standardised {
+  JointRoles roles;
+  UpAxis up = UpAxis::y;  // of the file
+  UnitGuess<S> unit;      // of the file; a factor of 1 for files that state theirs
+  bool root_axes_aligned = false;
+};
+
+// After parsing, before everything else. `rest` as in ParseNotes, or empty. Allocates scratch.
+template <class S>
+Standardised<S> standardise(Clip<S>& clip, Span<const Vec3<double>> rest) {
+  Standardised<S> done;
+  const JointRoles named = find_joint_roles(clip.skeleton);
+  done.up = guess_up_axis(clip, named, rest);
+  if (done.up == UpAxis::z) turn_z_up_to_y_up(clip);
+  done.root_axes_aligned = align_root_axes(clip, named);
+  done.roles = find_joint_roles(clip);
+  done.unit = guess_unit(clip, named);
+  scale_clip(clip, done.unit.metres_per_unit);
+  return done;
+}
+
+}  // namespace rigless
