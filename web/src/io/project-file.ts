@@ -39,7 +39,7 @@ export function saveProject(document: ProjectDocument, files: readonly NamedFile
 
 /**
  * Opens a saved zip, or a project.json among the files that it names.
- * Errors (DocumentError): no project; parseProject's; a file that is not there; files that are no motion.
+ * Errors (DocumentError): no project; parseProject's; a file that is not with it; files that are no motion.
  */
 export function openProject(dropped: readonly NamedFile[]): OpenedProject {
   const { project, files } = sortFiles(dropped);
@@ -66,6 +66,6 @@ function motionOf(name: string, files: readonly NamedFile[]): MotionInput {
 
 function needed(files: readonly NamedFile[], path: string, from: string, name: string): NamedFile {
   const file = findFile(files, path, from);
-  if (!file) throw new DocumentError(`${name} names ${path}, which is not there. Drop it too.`);
+  if (!file) throw new DocumentError(`${name} names ${path}, which is not with it.`);
   return file;
 }

@@ -77,7 +77,7 @@ function lookThrough(name: string, text: string): LookedThrough {
       const row = line.split(/\s+/);
       for (let k = 1; k < 4; k++) {
         if (row[k] === undefined) throw error(first, "a vertex needs three numbers");
-        if (!Number.isFinite(Number(row[k]))) throw error(first, `"${row[k].slice(0, 20)}" is not a number`);
+        if (!Number.isFinite(Math.fround(Number(row[k])))) throw error(first, `"${row[k].slice(0, 20)}" is not a number`);
       }
       used.push(false);
     } else if (key === "f") {

@@ -32,7 +32,7 @@ function checkedBinary(name: string, bytes: Uint8Array): ArrayBuffer {
     const whole = Math.floor((bytes.length - 84) / 50);
     throw new ModelError(`${name} promises ${count(triangles, "triangle")}, but it ends after ${count(whole, "triangle")}.`);
   }
-  return bytes.slice(0, size).buffer;
+  return new Uint8Array(bytes.subarray(0, size)).buffer;
 }
 
 function checkedText(name: string, bytes: Uint8Array): string {

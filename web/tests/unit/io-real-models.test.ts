@@ -1,12 +1,9 @@
-import { existsSync, readFileSync } from "node:fs";
-import { basename } from "node:path";
 import { describe, expect, it } from "vitest";
 
 import { readModel } from "../../src/io/read-model";
+import { hasShared, sharedFile } from "../support/files";
 
-const data = new URL("../../../../shared/data/meshes/", import.meta.url);
-
-describe.skipIf(!existsSync(data))("common research models (skipped where ../shared/data is absent)", () => {
+describe.skipIf(!hasShared)("common research models (skipped where ../shared/data is absent)", () => {
   it.each([
     ["spot.obj", 2930, 5856, 3225],
     ["cow.obj", 2903, 5804, 2903],
@@ -14,8 +11,8 @@ describe.skipIf(!existsSync(data))("common research models (skipped where ../sha
     ["knight.off", 502, 1000, 502],
     ["armadillo.obj", 43243, 86482, 43243],
   ])("%s: %d vertices, %d faces, %d as drawn", async (name, vertices, faces, drawn) => {
-    const model = await readModel([{ name, bytes: readFileSync(new URL(name, data)) }]);
-    expect(model.name).toBe(basename(name));
+    const model = await readModel([sharedFile(`meshes/${name}`)]);
+    expect(model.name).toBe(name);
     expect(model.positions.length / 3).toBe(vertices);
     expect(model.faces.length / 3).toBe(faces);
     expect(model.drawn.positions.length / 3).toBe(drawn);

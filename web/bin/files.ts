@@ -1,0 +1,102 @@
+// Reading a project from disk, and writing whole files or none.
+
+import { readFile, rename, rm, stat, writeFile } from "node:fs/promises";
+import { basename, dirname, resolve } from "node:path";
+
+import { parseProject } from "../src/document/project";
+import { decodeText, extension, type NamedFile } from "../src/io/named-file";
+import { openProject, type OpenedProject } from "../src/io/project-file";
+import { isZip } from "../src/io/zip";
+
+/** A file that cannot be read or written; `message` names it. */
+export class FileError extends Error {}
+
+/** A saved project, or a project.json and the files that it names, relative to it. */
+export async function loadProject(path: string): Promise<OpenedProject> {
+  const project = await read(path, basename(path));
+  if (isZip(project)) return openProject([project]);
+  const name = basename(path);
+  const text = decodeText(project.bytes);
+  if (text === null) throw new FileError(`${name} is neither a project.json nor a saved project.`);
+  const { document } = parseProject(text, name);
+  const folder = dirname(path);
+  const model = await read(resolve(folder, document.mesh.file), document.mesh.file, name);
+  const motion = await Promise.all(document.motion.files.map((file) => read(resolve(folder, file), file, name)));
+  const beside = await readBeside(model, folder);
+  return openProject([{ ...project, name: "project.json" }, model, ...beside, ...motion]);
+}
+
+async function read(path: string, name: string, namedBy?: string): Promise<NamedFile> {
+  try {
+    return { name, bytes: new Uint8Array(await readFile(path)) };
+  } catch (error) {
+    const code = codeOf(error);
+    const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : `it cannot be read (${code})`;
+    throw new FileError(namedBy === undefined ? `${path}: ${why}.` : `${namedBy} names ${name}: ${why}.`);
+  }
+}
+
+/** The materials, pictures and buffers that a model names; the reader says what is missing. */
+async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]> {
+  const own = dirname(file.name);
+  const found = await Promise.all(namesBeside(file).map(async (inner) => {
+    const name = own === "." ? inner : `${own}/${inner}`;
+    const bytes = await readFile(resolve(folder, name)).catch(() => null);
+    return bytes ? [{ name, bytes: new Uint8Array(bytes) }] : [];
+  }));
+  const files = found.flat();
+  const deeper = await Promise.all(files.map((other) => readBeside(other, folder)));
+  return [...files, ...deeper.flat()];
+}
+
+function namesBeside({ name, bytes }: NamedFile): string[] {
+  const all = (pattern: RegExp): string[] => [...(decodeText(bytes) ?? "").matchAll(pattern)].map((match) => match[1].trim());
+  switch (extension(name)) {
+    case "obj": return all(/^\s*mtllib\s+(.+)$/gm);
+    case "mtl": return all(/^\s*map_Kd\s+(?:.*\s)?(\S+)\s*$/gm);
+    case "gltf": return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeURIComponent);
+    default: return [];
+  }
+}
+
+/** Files that appear together at the end, under their names, or not at all. */
+export class OutputFiles {
+  private readonly pending: { path: string; temporary: string }[] = [];
+
+  /** Errors (FileError): a folder that is not there, before any work is done. */
+  static async prepare(paths: readonly (string | null)[]): Promise<OutputFiles> {
+    for (const path of paths) {
+      if (path === null) continue;
+      const folder = await stat(dirname(resolve(path))).catch(() => null);
+      if (!folder?.isDirectory()) throw new FileError(`${path}: there is no folder ${dirname(path)}.`);
+      const there = await stat(path).catch(() => null);
+      if (there?.isDirectory()) throw new FileError(`${path}: it is a folder.`);
+    }
+    return new OutputFiles();
+  }
+
+  async add(path: string, bytes: Uint8Array): Promise<void> {
+    const temporary = `${path}.${process.pid}.tmp`;
+    this.pending.push({ path, temporary });
+    await writing(path, writeFile(temporary, bytes));
+  }
+
+  async commit(): Promise<void> {
+    for (const { path, temporary } of this.pending) await writing(path, rename(temporary, path));
+    this.pending.length = 0;
+  }
+
+  async discard(): Promise<void> {
+    await Promise.all(this.pending.map(({ temporary }) => rm(temporary, { force: true })));
+  }
+}
+
+async function writing(path: string, work: Promise<void>): Promise<void> {
+  await work.catch((error: unknown) => {
+    throw new FileError(`${path}: it cannot be written (${codeOf(error)}).`);
+  });
+}
+
+function codeOf(error: unknown): string {
+  return error instanceof Error && "code" in error ? String(error.code) : String(error);
+}
