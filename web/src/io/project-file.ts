@@ -17,7 +17,7 @@ export interface OpenedProject {
 
 /** What the page calls the file. */
 export function projectFileName(document: ProjectDocument): string {
-  return `${document.name.replace(/[\\/:*?"<>|\x00-\x1f]+/g, " ").trim() || "project"}.rigless`;
+  return `${document.name.replace(/[\s\\/:*?"<>|\x00-\x1f]+/g, " ").trim() || "project"}.rigless`;
 }
 
 /**

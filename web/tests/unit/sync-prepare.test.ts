@@ -1,0 +1,73 @@
+import { describe, expect, it } from "vitest";
+
+import { addExample, addPoint, newDocument } from "../../src/document/commands";
+import { pointFromStage } from "../../src/document/stage";
+import type { ProjectDocument } from "../../src/document/types";
+import { readModel } from "../../src/io/read-model";
+import {
+  controlInputs, exampleControls, jointsOfPose, meshInput, pairingNotes, pointsOfControls, pointVertices, restControls, retargetInput, stageFor,
+} from "../../src/sync/prepare";
+import { TETRAHEDRON, textFile } from "../support/files";
+
+const joints = [["root", -1], ["lfoot", 0], ["head", 0]].map(([name, parent]) => ({ name: String(name), parent: Number(parent) }));
+
+const document: ProjectDocument = [
+  addPoint({ id: "a", name: "top", position: [0.1, 0.9, 0], joint: "head" }),
+  addPoint({ id: "b", name: "paw", position: [0.9, 0, 0], joint: "mixamorig:LeftFoot", radius: 0.1 }),
+  addPoint({ id: "c", name: "back", position: [0, 0, 0], joint: null }),
+  addPoint({ id: "d", name: "fin", position: [0, 0, 1], joint: "dorsal" }),
+  addExample({ id: "1", source: { motion: "m", frame: 0 }, joints: { Root: [0, 0, 0], head: [0, 1, 0] }, points: { a: [0, 2, 0] } }),
+  addExample({ id: "2", source: { motion: "m", frame: 0 }, joints: { tentacle: [1, 2, 3] }, points: {} }),
+].reduce((d, command) => command(d), newDocument("t", { file: "t.obj", facing: "-x", up: "+z" }, { files: ["m.asf", "m.amc"] }));
+
+describe("what the engine is asked", async () => {
+  const model = await readModel([textFile("t.obj", TETRAHEDRON)]);
+  const stage = stageFor(model, document.mesh);
+
+  it("mesh on the stage", () => {
+    const { positions, faces } = meshInput(model, document.mesh);
+    expect(faces).toBe(model.faces);
+    expect(stage.scale).toBeCloseTo(1.7, 6);
+    // file z is up; file -x is +z of the stage, so file y is its -x
+    expect([...positions]).toEqual([0.85, 0, 0.85, -0.85, 0, 0.85, 0.85, 0, -0.85, 0.85, 1.7, 0.85].map((x) => expect.closeTo(x, 5)));
+  });
+
+  it("controls at the nearest vertex, discs in metres", () => {
+    expect(pointVertices(model, document.points).map((v) => [...model.positions.subarray(3 * v, 3 * v + 3)])).toEqual(
+      [[0, 1, 0], [1, 0, 0], [0, 0, 0], [0, 0, 1]]);
+    expect(controlInputs(model, document).map(({ radius }) => radius)).toEqual([0.085, 0.17, 0.085, 0.085].map((r) => expect.closeTo(r, 9)));
+  });
+
+  it("two points on one spot get two vertices", () => {
+    const twice = [document.points[0], { ...document.points[0], id: "again" }];
+    const [a, b] = pointVertices(model, twice);
+    expect(a).not.toBe(b);
+  });
+
+  it("joints by exact name, then by plain spelling; what is unknown follows the whole pose and is told", () => {
+    const input = retargetInput(model, document, { joints });
+    expect([...input.pairs]).toEqual([2, 1, -1, -1]);
+    expect(pairingNotes(document, { joints })).toEqual([
+      'm.amc has no joint "dorsal": "fin" follows the whole pose.',
+      "Pose 2 was made on another skeleton, and m.amc has none of its joints: it is left out.",
+    ]);
+    expect(input).toMatchObject(document.settings);
+  });
+
+  it("examples in the motion's order, NaN for joints that they do not know, rest for points that they do not name", () => {
+    const { examples } = retargetInput(model, document, { joints });
+    expect(examples).toHaveLength(1);
+    expect([...examples[0].joints]).toEqual([0, 0, 0, NaN, NaN, NaN, 0, 1, 0]);
+    const rest = restControls(model, document);
+    expect([...examples[0].controls.subarray(3)]).toEqual([...rest.subarray(3)]);
+    const [x, y, z] = examples[0].controls;
+    expect(pointFromStage(stage, [x, y, z])).toEqual([0, 2, 0].map((v) => expect.closeTo(v, 5)));
+  });
+
+  it("and back: controls and poses as an example holds them", () => {
+    const points = { a: [0.5, 2, 1], b: [3, 0, 0.25], c: [0, 0, 0], d: [0, -1, 1] } as const;
+    const back = pointsOfControls(model, document, exampleControls(model, document, { points }));
+    for (const [id, place] of Object.entries(points)) expect(back[id]).toEqual(place.map((x) => expect.closeTo(x, 5)));
+    expect(jointsOfPose(joints, [1, 2, 3, 4, 5, 6, 7, 8, 9])).toEqual({ root: [1, 2, 3], lfoot: [4, 5, 6], head: [7, 8, 9] });
+  });
+});
