@@ -1,31 +1,32 @@
 // The cactus's skin: an atlas of charts, and the colour of every place on it.
 import { add, clamp, mix, scale, smoothstep } from "../kit/vec3.js";
 
-const SIZE = 1024;
+const SIZE = 768;
 const SAMPLES = 3; // per texel and axis
-const BLEED = 5; // texels painted beyond a chart's edge
+const BLEED = 4; // texels painted beyond a chart's edge
 
-// The light of the stage takes about an eighth off; so the middle tones are that much lighter than they shall look.
+// The light of the stage takes a fifth off and is warm; so the tones are that much lighter and cooler than they shall look.
 const hex = (text) => [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16));
-const BODY = hex("#93cb94");
-const SHADE = hex("#2c6b62");
-const LIGHT = hex("#d9efa8");
-const SPINE = hex("#f6fbe4");
+const BODY = hex("#a6e0aa");
+const SHADE = hex("#3a7f72");
+const LIGHT = hex("#e6f8bc");
+const SPINE = hex("#fffff2");
 const INK = hex("#17212b");
-const CHEEK = hex("#f2917f");
+const CHEEK = hex("#ff9d8c");
 const WHITE = [255, 255, 255];
-const POT = hex("#f2aa93");
-const RIM = hex("#f8b7a1");
-const POT_SHADE = hex("#8c3b45");
-const POT_LIGHT = hex("#ffe3cf");
-const ZIGZAG = hex("#fff3e2");
+const POT = hex("#ffb497");
+const RIM = hex("#ffc2a8");
+const POT_SHADE = hex("#a84a4e");
+const POT_LIGHT = hex("#fff0e2");
+const ZIGZAG = hex("#fffaf0");
 const SOIL = hex("#5c4038");
-const PETAL = hex("#ff86a2");
-const PETAL_DEEP = hex("#f0557f");
-const HEART = hex("#ffe08a");
+const PETAL = hex("#ff94b0");
+const PETAL_DEEP = hex("#ff6a90");
+const HEART = hex("#ffe89a");
 
-// The body's columns near the face get more of the width than those at the back.
-const columnWidth = (u) => (u >= 6 && u < 14 ? 2.1 : 1);
+// The body's columns near the face get more of the width than those at the back. Whole texels: every rib is then the same, and packs well.
+const columnWidth = (u) => (u >= 6 && u < 14 ? 55 : 26);
+const BODY_WIDTH = 8 * 55 + 12 * 26;
 function warpColumns(u) {
   let x = 0;
   for (let k = 0; k < Math.floor(u); k++) x += columnWidth(k);
@@ -37,14 +38,14 @@ function layout(cactus) {
   const strip = (x, y, w, h, us, length, warp = (u) => u) => ([u, v]) => [x + (w * warp(u)) / warp(us), y + h * (1 - v / length)];
   const disc = (x, y, size, radius) => ([u, v]) => [x + size * (0.5 + u / (2 * radius)), y + size * (0.5 - v / (2 * radius))];
   return {
-    body: strip(8, 8, 1008, 548, cactus.segments, cactus.lengths.body, warpColumns),
-    pot: strip(8, 572, 1008, 208, cactus.segments, cactus.lengths.pot),
-    rightArm: strip(8, 796, 292, 220, 8, cactus.lengths.rightArm),
-    leftArm: strip(316, 796, 292, 220, 8, cactus.lengths.leftArm),
-    crown: disc(624, 796, 190, 0.21),
-    flower: disc(830, 796, 186, 0.125),
-    flowerBack: disc(830, 796, 186, 0.125),
-    bottom: disc(836, 994, 22, 0.21),
+    body: strip(8, 5, BODY_WIDTH, 410, cactus.segments, cactus.lengths.body, warpColumns),
+    pot: strip(4, 427, 760, 156, cactus.segments, cactus.lengths.pot),
+    rightArm: strip(5, 595, 224, 168, 8, cactus.lengths.rightArm),
+    leftArm: strip(241, 595, 224, 168, 8, cactus.lengths.leftArm),
+    crown: disc(490, 618, 96, 0.21),
+    flower: disc(621, 596, 142, 0.125),
+    flowerBack: disc(600, 746, 12, 0.125),
+    bottom: disc(624, 746, 16, 0.21),
   };
 }
 
@@ -67,6 +68,7 @@ const TICK = [
 ];
 const onTick = (x, y) => Math.abs(x) < 0.03 && Math.abs(y) < 0.03 && toPath(x, y, TICK) < 0.0048;
 
+const RIB_WIDTH = 0.176; // metres from groove to groove at the widest place
 const FACE = { y: 0.915, eye: 0.082 };
 const SMILE = Array.from({ length: 13 }, (_, i) => {
   const t = i / 6 - 1;
@@ -106,27 +108,28 @@ const TICKS = [
   { rib: 4, ys: [0.5, 0.72, 0.95, 1.14] },
 ];
 
-function green([x, y, z], fadeGrooves) {
+// In a few dozen steps that nobody sees, so that rows of the picture repeat and it packs well.
+const stepped = (x) => Math.round(x * 14) / 14;
+
+/** `turned`: columns of ribs from the front towards the cactus's left, whole numbers at the grooves. */
+function green([x, y, z], turned, fadeGrooves) {
+  const distance = Math.abs(turned);
+  let colour = over(BODY, LIGHT, 0.3 * stepped(smoothstep(0.75, 1.35, y)));
+  colour = over(colour, SHADE, 0.3 * stepped(1 - smoothstep(0.36, 0.52, y)));
+  colour = over(colour, LIGHT, 0.16 * (0.5 - 0.5 * Math.cos(distance * 2 * Math.PI)));
+  const nearFace = z > 0 ? 1 - stepped(smoothstep(0.8, 1.15, Math.hypot(x / 0.19, (y - FACE.y + 0.02) / 0.13))) : 0;
+  colour = groove(colour, (turned - Math.round(turned)) * RIB_WIDTH, fadeGrooves * (1 - nearFace));
+  const crest = clamp(Math.floor(distance), 0, 4);
   const r = Math.hypot(x, z);
-  const angle = Math.atan2(x, z); // from the front, towards the cactus's left
-  const rib = (Math.abs(angle) * 180) / Math.PI / 36;
-  let colour = over(BODY, LIGHT, 0.3 * smoothstep(0.75, 1.35, y));
-  colour = over(colour, SHADE, 0.3 * (1 - smoothstep(0.36, 0.52, y)));
-  colour = over(colour, LIGHT, 0.16 * (0.5 - 0.5 * Math.cos(rib * 2 * Math.PI)));
-  const nearFace = z > 0 ? 1 - smoothstep(0.8, 1.15, Math.hypot(x / 0.19, (y - FACE.y + 0.02) / 0.13)) : 0;
-  const turned = (angle * 180) / Math.PI / 36;
-  const s = (turned - Math.round(turned)) * ((36 * Math.PI) / 180) * r;
-  colour = groove(colour, s, fadeGrooves * (1 - nearFace));
-  const crest = Math.floor(rib);
-  const across = (rib - crest - 0.5) * ((36 * Math.PI) / 180) * r;
+  const across = (distance - crest - 0.5) * (Math.PI / 5) * r;
   const jitter = x > 0 ? 0 : 0.035 * (crest % 2 ? 1 : -1);
-  for (const tick of TICKS[clamp(crest, 0, 4)].ys) if (onTick(across, y - tick - jitter)) colour = SPINE;
+  for (const tick of TICKS[crest].ys) if (onTick(across, y - tick - jitter)) colour = SPINE;
   return colour;
 }
 
 function arm(colour, u, v) {
   const width = 0.068; // one column
-  colour = over(colour, LIGHT, 0.3 * smoothstep(0.25, 0.55, v));
+  colour = over(colour, LIGHT, 0.3 * stepped(smoothstep(0.25, 0.55, v)));
   const line = (u - 0.5) / 2;
   colour = groove(colour, (line - Math.round(line)) * 2 * width, 1 - smoothstep(0.47, 0.53, v));
   for (const [tu, tv] of [[3.5, 0.24], [5.5, 0.33], [3.5, 0.44], [1.5, 0.38], [7.5, 0.25]]) if (onTick((u - tu) * width, v - tv)) colour = SPINE;
@@ -165,9 +168,9 @@ function blossom(u, v) {
 function colourAt(part, p, u, v) {
   switch (part) {
     case "body":
-      return face(green(p, 1), p);
+      return face(green(p, (10 - u) / 2, 1), p);
     case "crown":
-      return green(p, smoothstep(0.02, 0.08, Math.hypot(p[0], p[2])));
+      return green(p, Math.atan2(p[0], p[2]) / (Math.PI / 5), smoothstep(0.02, 0.08, Math.hypot(p[0], p[2])));
     case "rightArm":
     case "leftArm":
       return arm(BODY, u, v);
@@ -176,13 +179,15 @@ function colourAt(part, p, u, v) {
     case "flower":
       return blossom(u, v);
     case "flowerBack":
-      return PETAL_DEEP;
+      return over(PETAL, PETAL_DEEP, 0.35);
     default:
       return POT;
   }
 }
 
 // --- Rasteriser --------------------------------------------------------------------------------------------------------
+
+const quantise = (x) => Math.min(255, 4 * Math.round(x / 4));
 
 /** Paints one triangle: texels inside, and a few beyond its edges where no other triangle is nearer. */
 function paintTriangle(image, owner, vertices, f, texel) {
@@ -210,7 +215,7 @@ function paintTriangle(image, owner, vertices, f, texel) {
         const uv = [0, 1].map((k) => ws[0] * f.uv[0][k] + ws[1] * f.uv[1][k] + ws[2] * f.uv[2][k]);
         sum = add(sum, colourAt(f.part, position(ws), uv[0], uv[1]));
       }
-      image.set(scale(sum, 1 / (SAMPLES * SAMPLES)).map(Math.round), 3 * (y * SIZE + x));
+      image.set(scale(sum, 1 / (SAMPLES * SAMPLES)).map(quantise), 3 * (y * SIZE + x));
     }
 }
 
@@ -221,8 +226,6 @@ export function paintCactus(cactus) {
   for (let i = 0; i < SIZE * SIZE; i++) rgb.set(BODY, 3 * i);
   const owner = new Float32Array(SIZE * SIZE).fill(-Infinity);
   const uv = cactus.faces.map((f) => f.uv.map(charts[f.part]));
-  const order = (part) => (part === "flowerBack" ? 1 : 0); // it lies under the flower's front
-  const indices = cactus.faces.map((_, i) => i).sort((i, j) => order(cactus.faces[i].part) - order(cactus.faces[j].part) || i - j);
-  for (const i of indices) paintTriangle(rgb, owner, cactus.vertices, cactus.faces[i], uv[i]);
+  cactus.faces.forEach((f, i) => paintTriangle(rgb, owner, cactus.vertices, f, uv[i]));
   return { size: SIZE, rgb, uv: uv.map((corners) => corners.map(([x, y]) => [x / SIZE, y / SIZE])) };
 }

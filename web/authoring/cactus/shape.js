@@ -43,7 +43,8 @@ const ARMS = [
   { name: "leftArm", column: 0, ring: 5, side: 1, reach: 0.1, rise: 0.18 },
 ];
 const ARM_RADIUS = 0.086;
-const FLOWER = { column: 2, ring: 10, axis: [0.5, 0.62, 0.6], lift: 0.03 };
+const HOLE_RADIUS = 0.102;
+const FLOWER = { column: 2, ring: 10, axis: [0.5, 0.62, 0.6], lift: 0.042 };
 
 /** Vertices, and triangles that each carry a part's name and three texture coordinates of that part (not yet in the atlas). */
 class Surface {
@@ -153,8 +154,27 @@ function armPath(arm) {
   return stations;
 }
 
+/** Radius of the body without its ribs. */
+function bodyRadius(y) {
+  const k = BODY_RINGS.findIndex((ring) => ring.y > y);
+  const [a, b] = [BODY_RINGS[k - 1], BODY_RINGS[k]];
+  return a.r + ((b.r - a.r) * (y - a.y)) / (b.y - a.y);
+}
+
+/** Makes the square hole of an arm round, on the body. */
+function roundHole(surface, loop, arm) {
+  for (const v of loop) {
+    const [, y, z] = surface.vertices[v];
+    const centre = BODY_RINGS[arm.ring].y;
+    const s = HOLE_RADIUS / Math.hypot(y - centre, z);
+    const [ny, nz] = [centre + (y - centre) * s, z * s];
+    surface.vertices[v] = [arm.side * Math.sqrt(bodyRadius(ny) ** 2 - nz * nz), ny, nz];
+  }
+}
+
 function growArm(surface, rings, arm) {
   let previous = openHole(surface, rings, arm.ring, arm.column);
+  roundHole(surface, previous, arm);
   const fillet = [...previous];
   const stations = armPath(arm);
   let along = 0;
@@ -244,10 +264,10 @@ function growFlower(surface, rings) {
   const inner = [];
   for (let petal = 0; petal < 5; petal++) {
     const start = 72 * petal + 90 - 36;
-    rim.push(place(0.064, start, 0.012), place(0.107, start + 17, 0.022), place(0.119, start + 36, 0.026), place(0.107, start + 55, 0.022));
-    inner.push(place(0.04, start, 0.022), place(0.055, start + 36, 0.033));
+    rim.push(place(0.066, start, 0.006), place(0.109, start + 17, 0.01), place(0.121, start + 36, 0.012), place(0.109, start + 55, 0.01));
+    inner.push(place(0.041, start, 0.013), place(0.055, start + 36, 0.017));
   }
-  const heart = place(0, 0, 0.034);
+  const heart = place(0, 0, 0.024);
   const corner = (v) => {
     const d = sub(surface.vertices[v], origin);
     return [v, dot(d, ex), dot(d, ey)];

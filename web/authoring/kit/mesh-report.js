@@ -60,10 +60,13 @@ function countIntersections(vertices, triangles) {
 
 function edgesPierce(edges, triangle) {
   const [a, b, c] = triangle;
-  const side = (p, q, r, s) => Math.sign(dot(cross(sub(q, p), sub(r, p)), sub(s, p)));
+  const side = (p, q, r, s) => {
+    const d = dot(cross(sub(q, p), sub(r, p)), sub(s, p));
+    return Math.abs(d) < 1e-12 ? 0 : Math.sign(d); // in one plane, as the facets of the pot's side are: no crossing
+  };
   return [0, 1, 2].some((k) => {
     const [p, q] = [edges[k], edges[(k + 1) % 3]];
-    if (side(a, b, c, p) === side(a, b, c, q)) return false;
+    if (side(a, b, c, p) * side(a, b, c, q) >= 0) return false;
     const turn = [side(p, q, a, b), side(p, q, b, c), side(p, q, c, a)];
     return turn[0] === turn[1] && turn[1] === turn[2];
   });
