@@ -354,3 +354,49 @@ TEST_CASE("retarget: a constraint does not pop") {
   scene.options.offset_weight = 0;
   CHECK(soft < 0.7 * peak(scene.solve()));
 }
+
+TEST_CASE("retarget: the whole pose tells apart what one joint cannot") {
+  // The control squashes only while both joints are low; its own joint is often low alone.
+  Scene<double> scene;
+  scene.pairs = {1, 2};
+  const auto heights = [](double t) { return Vec3<double>(std::sin(t), std::sin(1.9 * t), 0); };
+  const auto squash = [&](double t) {
+    const Vec3<double> h = heights(t);
+    return Vec3<double>(0, h.x() + h.y(), 0);
+  };
+  const auto pose = [&](double t, std::vector<Vec3<double>>& out) {
+    for (std::size_t j = 0; j < joint_count; ++j)
+      out.push_back(Vec3<double>(0, j == 1 || j == 2 ? heights(t)[static_cast<Eigen::Index>(j) - 1] : 0, 0));
+  };
+  for (int f = 0; f < 200; ++f) pose(0.05 * f, scene.clip);
+  for (int n = 0; n < 8; ++n) {
+    pose(1.25 * n, scene.example_joints);
+    scene.example_controls.push_back(squash(1.25 * n));
+    scene.example_controls.push_back(squash(1.25 * n));
+  }
+  const auto error = [&] {
+    const auto tracks = scene.solve();
+    double sum = 0;
+    for (int f = 0; f < 200; ++f) sum += (tracks[static_cast<std::size_t>(f) * 2] - squash(0.05 * f)).squaredNorm();
+    return std::sqrt(sum / 200);
+  };
+  const double with_pose = error();
+  scene.options.pose_weight = 0;
+  CHECK(with_pose < 0.5 * error());
+}
+
+TEST_CASE("retarget: the paper's settings follow the motion too") {
+  auto scene = scene_of<double>(60, 4);
+  scene.options = rigless::RetargetOptions<double>::thesis();
+  rigless::Retargeter<double> run;
+  REQUIRE(run.begin(scene.input(), scene.options).ok());
+  while (run.advance(100)) {
+  }
+  std::vector<Vec3<double>> tracks;
+  REQUIRE(run.finish(tracks).ok());
+  double sum = 0;
+  for (std::size_t f = 0; f < 60; ++f)
+    for (std::size_t c = 0; c < 4; ++c)
+      sum += (tracks[f * 5 + c] - 0.7 * joint_at<double>(static_cast<double>(f) / 30, c + 1)).squaredNorm();
+  CHECK(std::sqrt(sum / 240) < 0.1);
+}

@@ -20,8 +20,8 @@ struct Examples {
   Span<const Vec3<S>> controls;  // N x C
 };
 
-// How often each joint is named by `pairs` (C joint indices, or -1), as a list without repeats in order of the
-// controls; every joint when no control is paired. Allocates.
+// The joints that `pairs` (C joint indices below joint_count, or -1) names, without repeats, in order of the controls;
+// all joints when no control is paired. Allocates.
 inline std::vector<std::int32_t> paired_joints(Span<const std::int32_t> pairs, std::int32_t joint_count) {
   std::vector<std::int32_t> joints;
   std::vector<bool> seen(static_cast<std::size_t>(joint_count), false);
@@ -40,6 +40,9 @@ template <class S>
 struct JointSpread {
   Vec3<S> mean = Vec3<S>::Zero();
   S rms = 0;
+
+  // What a distance is divided by: a joint that does not move keeps its metres.
+  S scale() const { return rms > S(1e-9) ? rms : S(1); }
 };
 
 // Mean and spread of each joint of T x J positions; rows that are not finite do not count. Allocates.
@@ -79,8 +82,7 @@ S pose_distance_squared(const Vec3<S>* a, const Vec3<S>* b, Span<const std::int3
   for (const std::int32_t index : joints) {
     const auto j = static_cast<std::size_t>(index);
     if (!a[j].allFinite() || !b[j].allFinite()) continue;
-    const S rms = spreads[j].rms > S(0) ? spreads[j].rms : S(1);
-    sum += (a[j] - b[j]).squaredNorm() / (rms * rms);
+    sum += ((a[j] - b[j]) / spreads[j].scale()).squaredNorm();
     ++known;
   }
   return known > 0 ? sum / static_cast<S>(known) : std::numeric_limits<S>::infinity();

@@ -60,8 +60,8 @@ class PoseFeatures {
     for (std::size_t first = 0; first < poses.size(); first += joints) {
       for (const std::int32_t index : paired_) {
         const auto j = static_cast<std::size_t>(index);
-        const S rms = std::max(spreads[j].rms, clip_spreads[j].rms / S(10));
-        out.push_back((poses[first + j] - spreads[j].mean) / (rms > S(1e-9) ? rms : S(1)));
+        const JointSpread<S> spread = {spreads[j].mean, std::max(spreads[j].rms, clip_spreads[j].rms / S(10))};
+        out.push_back((poses[first + j] - spread.mean) / spread.scale());
       }
     }
     return out;

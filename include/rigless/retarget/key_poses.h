@@ -55,9 +55,8 @@ std::vector<KeyPose> suggest_key_poses(Span<const Vec3<S>> clip, std::int32_t jo
   for (std::size_t first = 0; first < clip.size(); first += stride) {
     for (const std::int32_t index : joints) {
       const auto j = static_cast<std::size_t>(index);
-      const S rms = spreads[j].rms > S(1e-9) ? spreads[j].rms : S(1);
       for (int axis = 0; axis < 3; ++axis)
-        features.push_back((clip[first + j][axis] - spreads[j].mean[axis]) / (rms * shared));
+        features.push_back((clip[first + j][axis] - spreads[j].mean[axis]) / (spreads[j].scale() * shared));
     }
   }
   return farthest_poses<S>(features, static_cast<std::int32_t>(clip.size() / stride), count);

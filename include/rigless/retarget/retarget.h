@@ -25,6 +25,18 @@ struct RetargetOptions {
   S offset_weight = S(0.05);  // offset track of constrained controls; 0: none
   S offset_acceleration = 3;  // at 30 fps
   S compliance = S(1e-9);     // of hard constraints
+
+  // The paper's own formulation: each control from its joint alone, the 4 nearest examples, a soft affine row, exact
+  // constraints without an offset track.
+  static RetargetOptions thesis() {
+    const SpacetimeOptions<S> paper = SpacetimeOptions<S>::thesis();
+    RetargetOptions options;
+    options.pose_weight = 0;
+    options.weights = paper.weights;
+    options.offset_weight = paper.track.offset_weight;
+    options.compliance = paper.compliance;
+    return options;
+  }
 };
 
 template <class S>
@@ -44,6 +56,12 @@ struct RetargetInput {
 template <class S>
 class Retargeter {
  public:
+  Retargeter() = default;
+  Retargeter(const Retargeter&) = delete;  // the solver points into inputs_, which a move keeps in place
+  Retargeter(Retargeter&&) = default;
+  Retargeter& operator=(const Retargeter&) = delete;
+  Retargeter& operator=(Retargeter&&) = default;
+
   // Copies what it needs. Allocates. Errors: no_frames; no_controls; no_examples; size_mismatch; index_out_of_range
   // (a pair or constraint; where: control or constraint); not_finite (a joint of the clip, where: frame; a control of
   // an example, where: example). On failure the previous run is kept.
