@@ -2,13 +2,15 @@
 // float32, and a Status into one number. Vertices are float; motions and control tracks are double inside.
 // A pointer into an object holds until the object changes or the heap grows.
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "handle_table.h"
 #include "rigless/motion/parse_acclaim.h"
 #include "rigless/motion/parse_bvh.h"
+#include "rigless/scene/bake.h"
 #include "rigless/scene/body.h"
-#include "rigless/scene/staged_motion.h"
+#include "rigless/scene/performance_builder.h"
 
 #define RIGLESS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -28,12 +30,26 @@ using Vec3f = rigless::Vec3<float>;
 struct Motion {
   rigless::AcclaimSkeleton skeleton;
   rigless::ParseNotes notes;
+  rigless::FileGuess guess;
   rigless::StagedMotion<double> staged;
   std::vector<float> positions, local, yaw;
 };
 
+// A performance in the making, then made.
+struct Play {
+  rigless::PerformanceBuilder<double> builder;
+  bool made = false;
+  float volume = 1;
+  Body* body = nullptr;
+  rigless::Performance<float> performance;
+  rigless::Bake<float> bake;
+};
+
 HandleTable<Body> bodies;
 HandleTable<Motion> motions;
+HandleTable<Play> plays;
+
+constexpr std::int32_t slice_frames = 64;  // of one control: well under a millisecond
 
 // error * 2^32 + where: exact in a double, and 0 when all is well.
 double pack(Status status) {
@@ -48,6 +64,13 @@ Span<const T> view(const U* data, std::int32_t count) {
 }
 
 std::string_view text_view(const char* text, std::int32_t bytes) { return {text, static_cast<std::size_t>(bytes)}; }
+
+std::vector<rigless::Vec3<double>> widen(Span<const Vec3f> points) {
+  std::vector<rigless::Vec3<double>> out;
+  out.reserve(points.size());
+  for (const Vec3f& p : points) out.push_back(p.cast<double>());
+  return out;
+}
 
 void narrow(Span<const rigless::Vec3<double>> points, std::vector<float>& out) {
   out.clear();
@@ -121,8 +144,11 @@ RIGLESS_EXPORT void motion_delete(ObjectHandle motion) { motions.remove(motion);
 // UTF-8 text.
 RIGLESS_EXPORT double motion_read_bvh(ObjectHandle motion, const char* text, std::int32_t bytes) {
   rigless::Clip<double> clip;
-  const Status status = rigless::parse_bvh(text_view(text, bytes), clip, &motions[motion].notes);
-  return pack(status.ok() ? stage(clip, motions[motion]) : status);
+  Motion& m = motions[motion];
+  if (const Status status = rigless::parse_bvh(text_view(text, bytes), clip, &m.notes); !status.ok())
+    return pack(status);
+  m.guess = rigless::stand_in_metres<double>(clip, m.notes.rest);
+  return pack(stage(clip, m));
 }
 
 RIGLESS_EXPORT double motion_read_asf(ObjectHandle motion, const char* text, std::int32_t bytes) {
@@ -147,7 +173,7 @@ RIGLESS_EXPORT void motion_info(ObjectHandle motion, double* out) {
   out[4] = m.clip.metres_per_unit;
 }
 
-// out: the numbers of ParseNotes, in its order.
+// out: the numbers of ParseNotes, in its order, then those of FileGuess.
 RIGLESS_EXPORT void motion_notes(ObjectHandle motion, double* out) {
   const rigless::ParseNotes& n = motions[motion].notes;
   out[0] = n.frames_declared;
@@ -158,6 +184,8 @@ RIGLESS_EXPORT void motion_notes(ObjectHandle motion, double* out) {
   out[5] = n.roots;
   out[6] = n.renamed;
   out[7] = n.lengths_ignored;
+  out[8] = motions[motion].guess.z_up;
+  out[9] = static_cast<double>(motions[motion].guess.unit);
 }
 
 RIGLESS_EXPORT const char* motion_name(ObjectHandle motion, std::int32_t joint) {
@@ -177,3 +205,93 @@ RIGLESS_EXPORT const std::int32_t* motion_parents(ObjectHandle motion) {
 RIGLESS_EXPORT const float* motion_positions(ObjectHandle motion) { return motions[motion].positions.data(); }
 RIGLESS_EXPORT const float* motion_local(ObjectHandle motion) { return motions[motion].local.data(); }
 RIGLESS_EXPORT const float* motion_yaw(ObjectHandle motion) { return motions[motion].yaw.data(); }
+
+RIGLESS_EXPORT ObjectHandle performance_new() { return plays.add(); }
+
+RIGLESS_EXPORT void performance_delete(ObjectHandle performance) { plays.remove(performance); }
+
+// pairs: C; example_joints: N x J x 3 body-local metres, NaN where unknown; example_controls: N x C x 3. The motion
+// must stay until performance_progress() is 1, the body and its controls as long as frames are baked.
+RIGLESS_EXPORT double performance_begin(ObjectHandle performance, ObjectHandle body, ObjectHandle motion,
+                                        const std::int32_t* pairs, std::int32_t controls, const float* example_joints,
+                                        const float* example_controls, std::int32_t examples, double smoothness,
+                                        double volume, std::int32_t ground_contact, std::int32_t in_place) {
+  Play& play = plays[performance];
+  play.body = &bodies[body];
+  play.volume = static_cast<float>(volume);
+  const rigless::StagedMotion<double>& staged = motions[motion].staged;
+  const std::vector<rigless::Vec3<double>> rest = widen(play.body->rest_controls());
+  const std::vector<rigless::Vec3<double>> joints = widen(view<Vec3f>(example_joints, examples * staged.clip.joints()));
+  const std::vector<rigless::Vec3<double>> places = widen(view<Vec3f>(example_controls, examples * controls));
+  const rigless::Bounds<float> box = rigless::bounds(play.body->rest());
+  rigless::PerformanceInput<double> input;
+  input.motion = &staged;
+  input.pairs = view<std::int32_t>(pairs, controls);
+  input.rest = rest;
+  input.floor = box.low.y();
+  input.height = box.height();
+  input.examples = {joints, places};
+  input.settings = {smoothness, ground_contact != 0, in_place != 0};
+  return pack(play.builder.begin(input));
+}
+
+// One slice. Call until performance_progress() is 1.
+RIGLESS_EXPORT double performance_advance(ObjectHandle performance) {
+  Play& play = plays[performance];
+  if (play.builder.advance(slice_frames)) return 0;
+  rigless::Performance<double> made;
+  if (const Status status = play.builder.finish(made); !status.ok()) return pack(status);
+  play.performance = rigless::performance_cast<float>(made);
+  play.bake.bind(play.body->deformer(), play.performance, play.volume);
+  play.made = true;
+  return 0;
+}
+
+RIGLESS_EXPORT double performance_progress(ObjectHandle performance) {
+  const Play& play = plays[performance];
+  return play.made ? 1.0 : std::min(play.builder.progress(), 0.99);
+}
+
+// out: T, C, number of flights, slip before and after the foot lock (metres per second).
+RIGLESS_EXPORT void performance_info(ObjectHandle performance, double* out) {
+  const rigless::Performance<float>& p = plays[performance].performance;
+  out[0] = p.frames;
+  out[1] = static_cast<double>(p.control_count());
+  out[2] = static_cast<double>(p.flights.size());
+  out[3] = static_cast<double>(p.slip_before.mean);
+  out[4] = static_cast<double>(p.slip_after.mean);
+}
+
+// T x C x 3; T x C; pairs of frames; T; T x 2
+RIGLESS_EXPORT const float* performance_controls(ObjectHandle performance) {
+  return plays[performance].performance.controls.data()->data();
+}
+RIGLESS_EXPORT const std::uint8_t* performance_contacts(ObjectHandle performance) {
+  return plays[performance].performance.contacts.data();
+}
+RIGLESS_EXPORT const std::int32_t* performance_flights(ObjectHandle performance) {
+  return reinterpret_cast<const std::int32_t*>(plays[performance].performance.flights.data());
+}
+RIGLESS_EXPORT const float* performance_yaw(ObjectHandle performance) {
+  return plays[performance].performance.yaw.data();
+}
+RIGLESS_EXPORT const float* performance_travel(ObjectHandle performance) {
+  return plays[performance].performance.travel.data()->data();
+}
+
+// Makes a frame: performance_positions(), V x 3 in the world, and performance_root().
+RIGLESS_EXPORT double performance_bake(ObjectHandle performance, std::int32_t frame) {
+  return pack(plays[performance].bake.frame(frame));
+}
+
+RIGLESS_EXPORT const float* performance_positions(ObjectHandle performance) {
+  return plays[performance].bake.positions().data()->data();
+}
+
+// out: x, y, z and yaw of the body's origin, volume ratio (NaN when open).
+RIGLESS_EXPORT void performance_root(ObjectHandle performance, double* out) {
+  const Play& play = plays[performance];
+  for (int k = 0; k < 3; ++k) out[k] = static_cast<double>(play.bake.root().position[k]);
+  out[3] = static_cast<double>(play.bake.root().yaw);
+  out[4] = static_cast<double>(play.body->volume_ratio(play.bake.positions()));
+}

@@ -12,7 +12,7 @@ import type { Handle, PackedStatus, RiglessExports } from "./wasm";
 
 type Lendable = Float32Array | Int32Array | Uint32Array | Uint8Array;
 
-const OUT_DOUBLES = 8;
+const OUT_DOUBLES = 10;
 
 export class Core {
   #wasm: RiglessExports;
@@ -171,7 +171,7 @@ export class Core {
   #describeMotion(motion: Handle, name: string): Motion {
     const wasm = this.#wasm;
     wasm.motion_notes(motion, this.#out);
-    const notes = motionNotes(name, this.#doubles(8));
+    const notes = motionNotes(name, this.#doubles(10));
     wasm.motion_info(motion, this.#out);
     const [frames = 0, count = 0, sourceFrames = 0, fps = 0, metresPerUnit = 0] = this.#doubles(5);
     const parents = new Int32Array(wasm.memory.buffer, wasm.motion_parents(motion), count).slice();

@@ -90,9 +90,12 @@ function motionMessage(error: CoreError, where: number, kind: "bvh" | "asf" | "a
   }
 }
 
-/** What a reader worked around: the numbers of rigless::ParseNotes. */
+const UNITS = ["metres", "centimetres", "millimetres", "inches", "CMU units of 0.45 inch", "feet"];
+
+/** What a reader worked around or guessed: the numbers of rigless::ParseNotes and rigless::FileGuess. */
 export function motionNotes(name: string, numbers: number[]): string[] {
-  const [declared = 0, read = 0, cut = 0, trailing = 0, rateAssumed = 0, roots = 1, renamed = 0, lengths = 0] = numbers;
+  const [declared = 0, read = 0, cut = 0, trailing = 0, rateAssumed = 0, roots = 1, renamed = 0, lengths = 0,
+    zUp = 0, unit = 0] = numbers;
   const notes: string[] = [];
   if (declared > read) notes.push(`${name} announces ${count(declared)} frames and holds ${count(read)}: these are used.`);
   else if (cut) notes.push(`The last frame of ${name} is incomplete and left out: ${count(read)} frames are used.`);
@@ -101,6 +104,9 @@ export function motionNotes(name: string, numbers: number[]): string[] {
   if (roots > 1) notes.push(`${name} holds ${count(roots)} figures; the first is used.`);
   if (renamed > 0) notes.push(`${count(renamed)} ${renamed === 1 ? "joint has" : "joints have"} no name of its own and got a number.`);
   if (lengths > 0) notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
+  if (zUp) notes.push(`In ${name} the Z axis points up; it was turned upright.`);
+  if (unit >= UNITS.length) notes.push(`${name} is in no common unit; the person in it was made 1.7 m tall.`);
+  else if (unit > 0) notes.push(`${name} seems to be in ${UNITS[unit]}.`);
   return notes;
 }
 
