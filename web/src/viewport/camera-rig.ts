@@ -17,8 +17,8 @@ export interface Projected {
 export class CameraRig {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 80);
   readonly controls: CameraControls;
-  /** Metres that the framing asks for; the fog starts behind it. */
-  distance = 0;
+  /** Metres that the framing asks for. */
+  private distance = 0;
   private view: View = { width: 1, height: 1, insets: { left: 0, top: 0, right: 0, bottom: 0 } };
   private content: Content = { width: 2.7, height: 1.75, depth: 1 };
   private readonly shift = new Vector2();

@@ -4,10 +4,11 @@ import { Color, Group, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial, Vect
 import type { Theme } from "./theme";
 
 const SIZE = 30;
+const SHADOW_SIZE = 12;
 
 export class Ground {
   readonly group = new Group();
-  private readonly plane = new PlaneGeometry(SIZE, SIZE).rotateX(-Math.PI / 2);
+  private readonly plane = new PlaneGeometry(1, 1).rotateX(-Math.PI / 2);
   private readonly shadow = new ShadowMaterial({ depthWrite: false, toneMapped: false });
   private readonly grid = new ShaderMaterial({
     transparent: true,
@@ -25,7 +26,7 @@ export class Ground {
       varying float depth;
       void main() {
         vec4 view = modelViewMatrix * vec4(position, 1.0);
-        place = position.xz;
+        place = (modelMatrix * vec4(position, 1.0)).xz;
         depth = -view.z;
         gl_Position = projectionMatrix * view;
       }`,
@@ -36,24 +37,28 @@ export class Ground {
       uniform float pixelRatio;
       varying vec2 place;
       varying float depth;
-      float lines(float gap) {
-        vec2 width = fwidth(place) * pixelRatio;
+      float lines(float gap, vec2 width) {
         vec2 off = abs(fract((place + travel) / gap + 0.5) - 0.5) * gap;
         vec2 ink = (1.0 - smoothstep(0.15, 0.9, off / width)) * (1.0 - smoothstep(0.12, 0.33, width / gap));
         return max(ink.x, ink.y);
       }
       void main() {
-        float one = lines(1.0);
-        float ink = max(one, lines(0.5)) * (1.0 - smoothstep(fade.x, fade.y, depth));
-        if (ink < 0.004) discard;
+        vec2 width = fwidth(place) * pixelRatio;
+        if (depth > fade.y) discard;
+        float one = lines(1.0, width);
+        float ink = max(one, lines(0.5, width)) * (1.0 - smoothstep(fade.x, fade.y, depth));
         gl_FragColor = vec4(mix(minor, major, one), ink);
         #include <colorspace_fragment>
       }`,
   });
 
+  private readonly floor = new Mesh(this.plane, this.shadow);
+
   constructor() {
+    const { floor } = this;
     const grid = new Mesh(this.plane, this.grid);
-    const floor = new Mesh(this.plane, this.shadow);
+    grid.scale.setScalar(SIZE);
+    floor.scale.setScalar(SHADOW_SIZE);
     grid.renderOrder = -10;
     floor.renderOrder = -9;
     floor.receiveShadow = true;
@@ -65,6 +70,10 @@ export class Ground {
     this.grid.uniforms["major"]!.value.copy(theme.gridMajor);
     this.shadow.color.set(theme.dark ? "#000000" : "#143244");
     this.shadow.opacity = theme.dark ? 0.36 : 0.16;
+  }
+
+  setShadow(on: boolean): void {
+    this.floor.visible = on;
   }
 
   /** How far the stage has travelled under the camera, and how far away the camera is. */

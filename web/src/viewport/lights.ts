@@ -1,6 +1,7 @@
 // Sun, sky, fill and rim, fixed to the world; the figures stay around the origin, so the shadow's box is fitted once per framing.
 
 import { DirectionalLight, Group, HemisphereLight, Vector3 } from "three";
+import type { Quality } from "./quality";
 
 export class Lights {
   readonly group = new Group();
@@ -9,15 +10,11 @@ export class Lights {
   private readonly fill = new DirectionalLight("#bcd9ff");
   private readonly rim = new DirectionalLight("#eaf6ff");
 
-  constructor(shadows: boolean) {
+  constructor() {
     this.key.position.set(-2.6, 4.6, 1.9).multiplyScalar(2);
     this.fill.position.set(4, 1.5, 2);
     this.rim.position.set(2, 3, -4);
     const { shadow } = this.key;
-    this.key.castShadow = shadows;
-    shadow.mapSize.set(1024, 1024);
-    shadow.radius = 9;
-    shadow.blurSamples = 12;
     shadow.bias = -0.0004;
     shadow.normalBias = 0.02;
     this.group.add(this.sky, this.key, this.fill, this.rim);
@@ -29,6 +26,16 @@ export class Lights {
     this.key.intensity = dark ? 2.1 : 2.3;
     this.fill.intensity = dark ? 0.4 : 0.35;
     this.rim.intensity = dark ? 1.2 : 0.8;
+  }
+
+  setShadow({ shadowMap, blurSamples }: Quality): void {
+    const { shadow } = this.key;
+    this.key.castShadow = shadowMap > 0;
+    shadow.mapSize.set(shadowMap, shadowMap);
+    shadow.radius = (9 * shadowMap) / 1024;
+    shadow.blurSamples = blurSamples;
+    shadow.dispose(); // the next frame makes maps of the new size
+    shadow.map = shadow.mapPass = null;
   }
 
   /** Fits the shadow to a box around the origin that stands on the ground. */

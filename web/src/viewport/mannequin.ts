@@ -41,6 +41,8 @@ export class Mannequin {
   private readonly through = new Group();
   private readonly rods: InstancedMesh;
   private readonly balls: InstancedMesh;
+  /** Joints with a ball, both ends of each capsule, and its radius. */
+  private readonly ends = new Map<number, number>();
   private readonly head = new Mesh(eggGeometry(), this.material);
   private headThrough: Mesh | null = null;
   private readonly torso: TorsoSkin | null;
@@ -55,8 +57,11 @@ export class Mannequin {
     this.plan = buildBodyPlan(human);
     this.headJoint = this.plan.head;
     const { bones, torso } = this.plan;
-    this.rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 20, 1, true), this.material, bones.length);
-    this.balls = new InstancedMesh(new SphereGeometry(1, 20, 14), this.material, 2 * bones.length);
+    this.rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 18, 1, true), this.material, bones.length);
+    for (const { from, to, radius } of bones) {
+      for (const joint of [from, to]) this.ends.set(joint, Math.max(radius, this.ends.get(joint) ?? 0));
+    }
+    this.balls = new InstancedMesh(new SphereGeometry(1, 18, 12), this.material, this.ends.size);
     this.torso = torso ? new TorsoSkin(torso, this.material) : null;
     const parts = [this.rods, this.balls, this.head, ...(this.torso ? [this.torso.mesh] : [])];
     for (const part of parts) {
@@ -87,14 +92,17 @@ export class Mannequin {
     this.plan.bones.forEach((bone, i) => {
       const a = this.joint(bone.from, this.a);
       const b = this.joint(bone.to, this.b);
-      this.ball(2 * i, a, bone.radius);
-      this.ball(2 * i + 1, b, bone.radius);
       const axis = this.c.subVectors(b, a);
       const length = axis.length();
       this.turn.setFromUnitVectors(UP, length > 1e-6 ? axis.divideScalar(length) : UP);
       this.matrix.compose(a.add(b).multiplyScalar(0.5), this.turn, b.set(bone.radius, Math.max(length, 1e-6), bone.radius));
       this.rods.setMatrixAt(i, this.matrix);
     });
+    let ball = 0;
+    for (const [joint, radius] of this.ends) {
+      this.matrix.makeScale(radius, radius, radius).setPosition(this.joint(joint, this.a));
+      this.balls.setMatrixAt(ball++, this.matrix);
+    }
     this.rods.instanceMatrix.needsUpdate = true;
     this.balls.instanceMatrix.needsUpdate = true;
     this.placeHead();
@@ -131,11 +139,6 @@ export class Mannequin {
     this.torso?.dispose();
     this.material.dispose();
     this.seenThrough.dispose();
-  }
-
-  private ball(index: number, at: Vector3, radius: number): void {
-    this.matrix.makeScale(radius, radius, radius).setPosition(at);
-    this.balls.setMatrixAt(index, this.matrix);
   }
 
   /** Along head and end if the file has an end, else along neck and head. A short bone ends inside the skull, a long one on top of it. */

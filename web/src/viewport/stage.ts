@@ -6,6 +6,7 @@ import { ContactShadow } from "./contact-shadow";
 import { AZIMUTH, lanes, type Content } from "./framing";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
+import type { Quality } from "./quality";
 import type { Theme } from "./theme";
 
 const FIGURE_HEIGHT = 1.75;
@@ -42,7 +43,7 @@ export class Stage {
   overlay = false;
   content: Content = { width: 2.7, height: FIGURE_HEIGHT, depth: 1 };
   private readonly fog = new Fog("#ffffff");
-  private readonly lights = new Lights(true);
+  private readonly lights = new Lights();
   private readonly ground = new Ground();
   private readonly travel = new Vector2();
   private readonly goal = new Vector2();
@@ -116,11 +117,18 @@ export class Stage {
     return moving;
   }
 
+  setQuality(quality: Quality): void {
+    this.lights.setShadow(quality);
+    this.ground.setShadow(quality.shadowMap > 0);
+    this.renderer.shadowMap.needsUpdate = true;
+  }
+
   resize(width: number, height: number, pixelRatio: number): void {
     this.renderer.setPixelRatio(pixelRatio);
     this.renderer.setSize(width, height, false);
   }
 
+  /** `distance`: of the camera from its target; the fog begins behind it. */
   render(camera: PerspectiveCamera, distance: number): void {
     this.fog.near = distance + 0.3;
     this.fog.far = distance + 3.8;

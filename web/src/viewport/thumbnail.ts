@@ -10,7 +10,7 @@ import type { Shape } from "./shape";
 export class Thumbnails {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 50);
-  private readonly lights = new Lights(false);
+  private readonly lights = new Lights();
   private readonly holder = new Group();
   private readonly canvas = document.createElement("canvas");
   private shape: Shape | null = null;

@@ -14,11 +14,11 @@ import { type PairLine, PairLines } from "./pair-lines";
 import { Pointer } from "./pointer";
 import { HUMAN_WIDTH, Stage } from "./stage";
 import { SurfacePicker } from "./surface-picker";
+import { QualityGovernor } from "./quality";
 import { readTheme, type Theme } from "./theme";
 import { Thumbnails } from "./thumbnail";
 import type { Dot, DrawnHuman, DrawnModel, Insets, ViewMode, ViewportApi, ViewportEvents } from "./types";
 
-const MAX_PIXEL_RATIO = 2;
 const DOT_REACH = { mouse: 14, touch: 24 };
 const JOINT_REACH = { mouse: 22, touch: 32 };
 /** Milliseconds between two looks at which dots the mesh hides. */
@@ -36,6 +36,7 @@ export class Viewport implements ViewportApi {
   private readonly thumbnails: Thumbnails;
   private readonly observer: ResizeObserver;
   private readonly abort = new AbortController();
+  private readonly governor = new QualityGovernor();
   private theme: Theme;
   private figure: ModelFigure | null = null;
   private picker: SurfacePicker | null = null;
@@ -75,6 +76,7 @@ export class Viewport implements ViewportApi {
     host.append(this.root);
 
     this.stage = new Stage(canvas, still);
+    this.stage.setQuality(this.governor.quality);
     this.rig = new CameraRig(this.root, still, () => this.invalidate());
     this.hand = new DotHand(this.events, this.rig, this.stage.model.offset);
     this.thumbnails = new Thumbnails(this.stage.renderer);
@@ -251,11 +253,25 @@ export class Viewport implements ViewportApi {
 
   /** The marks changed, not the picture under them. */
   private touchOverlay(): void {
-    this.frame ||= requestAnimationFrame((now) => this.tick(now));
+    if (this.frame) return;
+    const asked = performance.now();
+    this.frame = requestAnimationFrame((now) => {
+      this.frame = 0;
+      if (this.pictureStale && this.governor.note(performance.now() - asked)) this.applyQuality();
+      this.tick(now);
+    });
+  }
+
+  private applyQuality(): void {
+    this.stage.setQuality(this.governor.quality);
+    this.stage.resize(this.size.width, this.size.height, this.pixelRatio());
+  }
+
+  private pixelRatio(): number {
+    return Math.min(window.devicePixelRatio || 1, this.governor.quality.maxPixelRatio);
   }
 
   private tick(now: number): void {
-    this.frame = 0;
     const seconds = Math.min(0.1, (now - this.before) / 1000);
     this.before = now;
     this.takeShapes();
@@ -271,7 +287,7 @@ export class Viewport implements ViewportApi {
 
   private draw(): void {
     if (this.lost) return;
-    this.stage.render(this.rig.camera, this.rig.distance);
+    this.stage.render(this.rig.camera, this.rig.controls.distance);
     this.pictureStale = false;
   }
 
@@ -300,11 +316,12 @@ export class Viewport implements ViewportApi {
     const { clientWidth: width, clientHeight: height } = this.root;
     if (width < 1 || height < 1) return;
     this.size = { width, height };
-    this.stage.resize(width, height, Math.min(window.devicePixelRatio || 1, MAX_PIXEL_RATIO));
+    this.stage.resize(width, height, this.pixelRatio());
     this.rig.setView({ width, height, insets: this.insets });
     this.figure?.setViewSize(width, height);
     // A resized canvas is blank: draw in the same frame, or it flickers.
     cancelAnimationFrame(this.frame);
+    this.frame = 0;
     this.pictureStale = true;
     this.tick(performance.now());
   }
