@@ -5,6 +5,7 @@ import { handleKey } from "./session/keys";
 import { Session } from "./session/session";
 import { base } from "./styles";
 import "./elements/drop-overlay";
+import type { Hello } from "./elements/hello";
 import "./elements/hello";
 import "./elements/help";
 import "./elements/inspector";
@@ -38,6 +39,7 @@ export class App extends LitElement {
   /** Phone only: the sheet shows its content. */
   @state() private sheetOpen = true;
   @query(".view3d") private host!: HTMLDivElement;
+  @query("rigless-hello") private hello!: Hello;
   private readonly narrow = matchMedia("(max-width: 719px)");
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private readonly resized = new ResizeObserver(() => this.measure());
@@ -109,7 +111,7 @@ export class App extends LitElement {
   protected override firstUpdated(): void {
     this.session.start(this.host);
     globalThis.rigless = debugHandle(this.session);
-    for (const topic of ["verb", "notices", "jobs", "pairing"] as const) this.session.on(topic, () => this.reframe());
+    for (const topic of ["verb", "notices", "hello", "pairing"] as const) this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;
       this.requestUpdate();
@@ -189,15 +191,22 @@ export class App extends LitElement {
   /** Tells the viewport which part of the stage the cards leave free. */
   private measure(): void {
     const stage = this.host.getBoundingClientRect();
-    const box = (selector: string): DOMRect | null => {
-      const rect = this.renderRoot.querySelector(selector)?.getBoundingClientRect();
+    const box = (element: Element | null | undefined): DOMRect | null => {
+      const rect = element?.getBoundingClientRect();
       return rect && rect.width > 0 && rect.height > 0 ? rect : null;
     };
+    const card = (selector: string): DOMRect | null => box(this.renderRoot.querySelector(selector));
+    const hello = this.hello.boxes;
     const desk = !this.phone;
-    const left = desk ? Math.max(box("rigless-rail")?.right ?? 0, box(".panel > *")?.right ?? 0) - stage.left : 0;
-    const right = desk ? stage.right - (box("rigless-inspector")?.left ?? stage.right) : 0;
-    const top = (box("rigless-notices")?.bottom ?? stage.top) - stage.top;
-    const bottom = stage.bottom - Math.min(box("rigless-status")?.top ?? stage.bottom, box("rigless-prompt")?.top ?? stage.bottom);
-    this.session.setInsets({ left: Math.max(0, left), top: Math.max(0, top), right: Math.max(0, right), bottom: Math.max(0, bottom) });
+    const left = desk ? Math.max(card("rigless-rail")?.right ?? 0, card(".panel > *")?.right ?? 0) : stage.left;
+    const right = desk ? (card("rigless-inspector")?.left ?? stage.right) : stage.right;
+    const top = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(hello.line)?.bottom ?? 0);
+    const lows = [card("rigless-status"), card("rigless-prompt"), box(hello.chips)].map((rect) => rect?.top ?? stage.bottom);
+    this.session.setInsets({
+      left: Math.max(0, left - stage.left),
+      top: top - stage.top,
+      right: Math.max(0, stage.right - right),
+      bottom: Math.max(0, stage.bottom - Math.min(...lows)),
+    });
   }
 }

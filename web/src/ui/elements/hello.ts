@@ -4,10 +4,16 @@ import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
 
+/** The part of the stage that the words and the chips take, for whoever frames figures. */
+export interface HelloBoxes {
+  line: Element | null;
+  chips: Element | null;
+}
+
 /** The first line and the ways on from it; leaves with the first drag. */
 @customElement("rigless-hello")
 export class Hello extends SessionElement {
-  protected readonly topics = ["hello", "document"] as const;
+  protected readonly topics = ["hello", "document", "verb", "notices"] as const;
 
   static override styles = [
     base,
@@ -24,11 +30,15 @@ export class Hello extends SessionElement {
     `,
   ];
 
+  get boxes(): HelloBoxes {
+    return { line: this.renderRoot.querySelector(".line"), chips: this.renderRoot.querySelector(".chips") };
+  }
+
   protected override render() {
     const { session } = this;
-    if (!session.hello) return "";
+    if (!session.hello || session.verb !== null) return "";
     return html`
-      <p class="line">This cactus has no bones. <b>Drag any dot.</b></p>
+      ${session.notices.shown.length > 0 ? "" : html`<p class="line">This cactus has no bones. <b>Drag any dot.</b></p>`}
       <div class="chips">
         <button class="chip" @click=${() => session.tryOtherDance()}>${session.otherDance}</button>
         <button class="chip" @click=${() => session.pickFiles()}>${icon("file")}Use my model</button>

@@ -19,6 +19,7 @@ export class PosesPanel extends SessionElement {
       .item { grid-template-columns: 40px 1fr; min-height: 48px; flex: 1; min-width: 0; padding: 0 4px; }
       .item small { display: block; }
       .thumb { width: 40px; height: 40px; }
+      @media (hover: hover) { .row:not(:hover, :focus-within) .update { opacity: 0; } }
     `,
   ];
 
@@ -41,7 +42,7 @@ export class PosesPanel extends SessionElement {
       <button class="item" ?disabled=${!here} @click=${() => session.goToPose(pose.id)}>
         <span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span>
         <span>Frame ${pose.source.frame}<small>${stem(pose.source.motion)}</small></span></button>
-      ${here && !now ? html`<button class="btn" title="Take the shape at frame ${session.player.frame} instead" @click=${() => session.updatePose(pose.id)}>Update</button>` : nothing}
+      ${here && !now ? html`<button class="btn update" title="Take the shape at frame ${session.player.frame} instead" @click=${() => session.updatePose(pose.id)}>Update</button>` : nothing}
       <button class="btn icon" aria-label="Delete the pose at frame ${pose.source.frame}" @click=${() => session.deletePose(pose.id)}>${icon("bin")}</button>
     </li>`;
   }

@@ -7,7 +7,7 @@ import { base } from "../styles";
 /** Which point is in hand, and how fast we solve. */
 @customElement("rigless-status")
 export class Status extends SessionElement {
-  protected readonly topics = ["selection", "document", "meter", "drag"] as const;
+  protected readonly topics = ["selection", "document", "meter", "drag", "solve", "verb", "pairing"] as const;
 
   static override styles = [
     base,
@@ -16,7 +16,7 @@ export class Status extends SessionElement {
       :host([plain]) { padding-left: 12px; }
       b { color: var(--ink); font-weight: 600; }
       i { width: 1px; height: 12px; background: var(--line); }
-      @media (max-width: 719px) { :host { margin: 8px; } }
+      @media (max-width: 719px) { :host { margin: 8px; } :host([asking]) { display: none; } }
     `,
   ];
 
@@ -27,6 +27,7 @@ export class Status extends SessionElement {
     const index = session.document.points.findIndex((point) => point.id === id);
     const point = session.document.points[index];
     this.toggleAttribute("plain", !point);
+    this.toggleAttribute("asking", session.verb === "points" && (session.pairing.adding || session.pairing.waiting !== null));
     const solved = session.meter.median;
     const speed = session.solving && !held
       ? html`<span>solving</span>`

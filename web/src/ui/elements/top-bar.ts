@@ -6,7 +6,7 @@ import { base } from "../styles";
 
 @customElement("rigless-top-bar")
 export class TopBar extends SessionElement {
-  protected readonly topics = ["document", "files", "jobs"] as const;
+  protected readonly topics = ["document", "files", "solve"] as const;
   @state() private menu = false;
 
   static override styles = [

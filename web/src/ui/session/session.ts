@@ -87,8 +87,8 @@ export class Session extends Emitter<SessionEvents> {
   solving = false;
   /** The person has changed something since the page opened. */
   touched = false;
-  /** Go on playing once the frame in the hand has been solved. */
-  resume = false;
+  /** Go on playing once the frame at the playhead has been solved. The page opens moving, unless that is unwelcome. */
+  resume = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   private savedDocument: ProjectDocument | null = null;
   private slide: { key: string; gesture: Gesture } | null = null;
 
@@ -256,7 +256,7 @@ export class Session extends Emitter<SessionEvents> {
     const points = pointsOfControls(model, document, drag.targets);
     const old = this.posesHere.find((pose) => pose.source.frame === drag.frame);
     this.show.pin(drag.frame);
-    this.resume = drag.wasPlaying;
+    this.resume ||= drag.wasPlaying;
     if (old) this.apply(replaceExample({ ...old, joints, points }));
     else {
       const source = { motion: this.motionName, frame: drag.frame };
@@ -360,7 +360,7 @@ export class Session extends Emitter<SessionEvents> {
   setVerb(verb: Verb | null): void {
     this.verb = verb;
     this.viewport?.setMode(verb === "points" ? "points" : "pose");
-    if (verb === "points" && this.document.points.length === 0) this.pairing.start();
+    if (verb === "points" && this.model && this.document.points.length === 0) this.pairing.start();
     else if (verb !== "points") this.pairing.stop();
     this.emit("verb", undefined);
   }
