@@ -6,13 +6,14 @@ import { distance, sub } from "./kit/vec3.js";
 import * as hop from "./motions/hop.js";
 import * as walk from "./motions/walk.js";
 
+// Wide discs where the shape shall keep its character: the dome of the top, the pot's edges.
 const POINTS = [
-  { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0] },
-  { id: "right-arm", name: "Right arm", joint: "RightHand", near: [-0.52, 1.05, 0] },
-  { id: "left-arm", name: "Left arm", joint: "LeftHand", near: [0.52, 1.3, 0] },
-  { id: "right-edge", name: "Right edge", joint: "RightFoot", near: [-0.21, 0, 0] },
-  { id: "left-edge", name: "Left edge", joint: "LeftFoot", near: [0.21, 0, 0] },
-  { id: "middle", name: "Middle", joint: "Hips", near: [0, 0.57, 0.3] },
+  { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0], radius: 0.13 },
+  { id: "right-arm", name: "Right arm", joint: "RightHand", near: [-0.52, 1.05, 0], radius: 0.07 },
+  { id: "left-arm", name: "Left arm", joint: "LeftHand", near: [0.52, 1.3, 0], radius: 0.07 },
+  { id: "right-edge", name: "Right edge", joint: "RightFoot", near: [-0.21, 0, 0], radius: 0.11 },
+  { id: "left-edge", name: "Left edge", joint: "LeftFoot", near: [0.21, 0, 0], radius: 0.11 },
+  { id: "middle", name: "Middle", joint: "Hips", near: [0, 0.57, 0.3], radius: 0.08 },
 ];
 
 const POSES = [
@@ -22,12 +23,25 @@ const POSES = [
     motion: "hop",
     seconds: 3.24,
     moves: {
-      top: [0, -0.25, 0.05],
-      middle: [0, -0.07, 0.05],
-      "right-arm": [-0.13, -0.27, 0.03],
-      "left-arm": [0.13, -0.29, 0.03],
-      "right-edge": [-0.025, 0, 0],
-      "left-edge": [0.025, 0, 0],
+      top: [0, -0.32, 0.06],
+      middle: [0, -0.09, 0.06],
+      "right-arm": [-0.15, -0.36, 0.04],
+      "left-arm": [0.15, -0.4, 0.04],
+      "right-edge": [-0.03, 0, 0],
+      "left-edge": [0.03, 0, 0],
+    },
+  },
+  {
+    id: "wind-up", // down before the first hop: arms thrown back
+    motion: "hop",
+    seconds: 0.35,
+    moves: {
+      top: [0.02, -0.27, 0.12],
+      middle: [0, -0.08, 0.05],
+      "right-arm": [-0.04, -0.3, -0.22],
+      "left-arm": [0.04, -0.34, -0.22],
+      "right-edge": [-0.02, 0, 0],
+      "left-edge": [0.02, 0, 0],
     },
   },
   {
@@ -35,12 +49,12 @@ const POSES = [
     motion: "hop",
     seconds: 2.76,
     moves: {
-      top: [0, 0.22, -0.02],
-      middle: [0, 0.06, 0.01],
-      "right-arm": [0.02, 0.26, 0],
-      "left-arm": [-0.02, 0.26, 0],
-      "right-edge": [0.05, 0, 0],
-      "left-edge": [-0.05, 0, 0],
+      top: [0, 0.28, -0.03],
+      middle: [0, 0.07, 0.01],
+      "right-arm": [0.05, 0.42, 0.02],
+      "left-arm": [-0.05, 0.38, 0.02],
+      "right-edge": [0.06, 0, 0],
+      "left-edge": [-0.06, 0, 0],
     },
   },
   {
@@ -49,12 +63,12 @@ const POSES = [
     seconds: 0.84,
     mirror: { id: "lean-right", seconds: 1.77 },
     moves: {
-      top: [0.17, 0.07, 0],
-      middle: [0.03, 0.02, 0],
-      "right-arm": [0.03, -0.06, 0.06],
-      "left-arm": [0.08, 0.16, 0.05],
-      "right-edge": [0.03, -0.02, 0],
-      "left-edge": [-0.01, 0.06, 0],
+      top: [0.24, 0.08, 0],
+      middle: [0.05, 0.03, 0],
+      "right-arm": [0.02, -0.1, 0.12],
+      "left-arm": [0.13, 0.26, 0.06],
+      "right-edge": [0.03, -0.03, 0],
+      "left-edge": [-0.01, 0.08, 0],
     },
   },
   {
@@ -63,12 +77,12 @@ const POSES = [
     seconds: 0.97,
     mirror: { id: "step-right", seconds: 0.97 + 0.55 },
     moves: {
-      top: [-0.13, -0.01, 0.03],
-      middle: [-0.04, 0.01, 0.02],
-      "right-arm": [-0.09, -0.03, 0.16],
-      "left-arm": [-0.08, 0.05, -0.12],
+      top: [-0.16, -0.01, 0.04],
+      middle: [-0.05, 0.01, 0.02],
+      "right-arm": [-0.1, -0.04, 0.2],
+      "left-arm": [-0.1, 0.06, -0.16],
       "right-edge": [0, 0, -0.03],
-      "left-edge": [-0.02, 0.09, 0.1],
+      "left-edge": [-0.02, 0.1, 0.12],
     },
   },
 ];
@@ -98,7 +112,7 @@ const mirrorMoves = (moves) => Object.fromEntries(Object.entries(moves).map(([id
 /** vertices: the cactus's; poses: { hop, walk }, each an array of poses per frame. */
 export function makeProject(vertices, poses) {
   const nearest = (p) => vertices.reduce((best, v) => (distance(v, p) < distance(best, p) ? v : best));
-  const points = POINTS.map(({ id, name, joint, near }) => ({ id, name, position: round(nearest(near), 4), joint }));
+  const points = POINTS.map(({ id, name, joint, near, radius }) => ({ id, name, position: round(nearest(near), 4), joint, radius }));
   const example = ({ id, motion, seconds, moves }) => ({
     id,
     source: { motion: MOTIONS[motion].file, frame: Math.round(seconds * 30) },

@@ -151,7 +151,7 @@ export function writeBvh(poses, fps) {
     lines.push(`${tab}}`);
   };
   put(JOINTS[0], 0);
-  lines.push("MOTION", `Frames: ${poses.length}`, `Frame Time: ${(1 / fps).toFixed(8)}`);
+  lines.push("MOTION", `Frames: ${poses.length}`, `Frame Time: ${(1 / fps).toFixed(10)}`);
   const previous = {};
   for (const pose of poses) {
     const values = pose.root.map((x) => x.toFixed(3));
