@@ -1,0 +1,186 @@
+import { type ChildProcess, execFile, spawn } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { WebIO } from "@gltf-transform/core";
+import { validateBytes } from "gltf-validator";
+import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
+import { build } from "vite";
+
+import { version } from "../../package.json";
+import { saveProject } from "../../src/io/project-file";
+import { parseProject } from "../../src/document/project";
+import type { Track } from "../../src/io/write-track";
+import { hasShared, sharedFile } from "../support/files";
+
+const web = fileURLToPath(new URL("../../", import.meta.url));
+const program = join(web, "bin/rigless.js");
+const cactus = join(web, "assets/cactus/project.json");
+
+let folder = "";
+
+beforeAll(() => build({ root: web, configFile: join(web, "vite.node.config.ts"), logLevel: "error" }), 120_000);
+beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), "rigless-"))));
+afterEach(() => rmSync(folder, { recursive: true }));
+
+interface Run { code: number | null; stdout: string; stderr: string }
+
+function rigless(...args: string[]): Promise<Run> {
+  return new Promise((resolve) => {
+    execFile(process.execPath, [program, ...args], { cwd: folder }, (error, stdout, stderr) =>
+      resolve({ code: error ? (typeof error.code === "number" ? error.code : null) : 0, stdout, stderr }));
+  });
+}
+
+const bytesOf = (name: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(join(folder, name)));
+const trackOf = (name: string): Track => JSON.parse(readFileSync(join(folder, name), "utf8")) as Track;
+
+/** V x 3 of target n played alone. */
+async function playedFrame(glb: Uint8Array<ArrayBuffer>, n: number): Promise<{ positions: Float32Array; targets: number }> {
+  const primitive = (await new WebIO().readBinary(glb)).getRoot().listMeshes()[0].listPrimitives()[0];
+  const rest = primitive.getAttribute("POSITION")?.getArray() ?? [];
+  const delta = primitive.listTargets()[n].getAttribute("POSITION")?.getArray() ?? [];
+  return { positions: Float32Array.from(rest, (x, i) => x + delta[i]), targets: primitive.listTargets().length };
+}
+
+function copySpot(into: string): void {
+  mkdirSync(into, { recursive: true });
+  copyFileSync(new URL("../fixtures/spot-walk/project.json", import.meta.url), join(into, "project.json"));
+  for (const file of ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"]) writeFileSync(join(into, basename(file)), sharedFile(file).bytes);
+}
+
+describe("rigless bake", () => {
+  it("makes a faultless GLB and a track of the cactus that comes with the page", { timeout: 120_000 }, async () => {
+    const run = await rigless("bake", cactus, "--out", "dance.glb", "--track", "track.json");
+    expect(run).toMatchObject({ code: 0, stdout: "" });
+    const glb = bytesOf("dance.glb");
+    const { issues } = await validateBytes(glb);
+    expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+
+    const track = trackOf("track.json");
+    const C = track.points.length;
+    expect(track).toMatchObject({ format: "rigless-track", version: 1, fps: 30 });
+    expect(C).toBeGreaterThan(0);
+    expect(track.controls).toHaveLength(track.frames);
+    expect(track.contacts.labels).toHaveLength(track.frames);
+    expect(track.controls.every((frame) => frame.length === C && frame.flat().every(Number.isFinite))).toBe(true);
+    track.contacts.runs.forEach((runs, c) => {
+      const labels = track.contacts.labels.map((row) => row[c]);
+      expect(labels.map((_, f) => Number(runs.some(([a, b]) => a <= f && f < b)))).toEqual(labels);
+    });
+
+    // Each frame stands on the ground, and the model's own surface is where the track says that its points are.
+    const at = Math.floor(track.frames / 2);
+    const { positions, targets } = await playedFrame(glb, at);
+    expect(targets).toBe(track.frames);
+    const height = 1.7 / track.units.metresPerUnit;
+    for (const point of track.controls[at]) {
+      let nearest = Infinity;
+      for (let v = 0; v < positions.length; v += 3) {
+        nearest = Math.min(nearest, Math.hypot(positions[v] - point[0], positions[v + 1] - point[1], positions[v + 2] - point[2]));
+      }
+      expect(nearest / height).toBeLessThan(0.02);
+    }
+  });
+
+  it("keeps every K-th frame and the last, and gives the same bytes from the same input", { timeout: 120_000 }, async () => {
+    expect((await rigless("bake", cactus, "--out", "a.glb", "--track", "t.json", "--every", "10", "--quiet"))).toEqual({ code: 0, stdout: "", stderr: "" });
+    expect((await rigless("bake", cactus, "--out", "b.glb", "--every", "10")).code).toBe(0);
+    const frames = trackOf("t.json").frames;
+    expect((await playedFrame(bytesOf("a.glb"), 0)).targets).toBe(Math.floor((frames - 1) / 10) + 1 + Number((frames - 1) % 10 > 0));
+    expect(bytesOf("a.glb")).toEqual(bytesOf("b.glb"));
+  });
+
+  it.skipIf(!hasShared)("walks a cow with an ASF and an AMC, from a folder and from a saved file (skipped where ../shared/data is absent)",
+    { timeout: 120_000 }, async () => {
+      copySpot(join(folder, "spot"));
+      const run = await rigless("bake", "spot/project.json", "--track", "loose.json", "--out", "spot.glb");
+      expect(run.code).toBe(0);
+      const track = trackOf("loose.json");
+      expect(track.frames).toBe(86);
+      expect(track.source).toEqual({ model: "spot.obj", motion: ["02.asf", "02_01.amc"], frames: 343, fps: 120 });
+      expect((await validateBytes(bytesOf("spot.glb"))).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+      // It goes somewhere, with its hind hooves on the ground by turns.
+      expect(Math.hypot(track.root[85][0] - track.root[0][0], track.root[85][2] - track.root[0][2])).toBeGreaterThan(0.5);
+      expect(track.contacts.runs[2].length).toBeGreaterThan(0);
+      expect(track.contacts.runs[3].length).toBeGreaterThan(0);
+
+      const { document } = parseProject(readFileSync(join(folder, "spot/project.json"), "utf8"), "project.json");
+      const files = ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"].map(sharedFile);
+      writeFileSync(join(folder, "cow.rigless"), saveProject(document, files));
+      expect((await rigless("bake", "cow.rigless", "--track", "saved.json", "-q")).code).toBe(0);
+      expect(trackOf("saved.json")).toEqual(track);
+    });
+});
+
+describe("what cannot be done", () => {
+  const project = (change: object): string => JSON.stringify({
+    version: 1, mesh: { file: "bean.obj" }, motion: { files: ["hop.bvh"] }, points: [{ id: "a", name: "a", position: [0, 0, 0], joint: null }], ...change,
+  });
+
+  async function refused(files: Record<string, string | Uint8Array>, ...args: string[]): Promise<string> {
+    for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
+    const before = readdirSync(folder);
+    const run = await rigless(...(args.length ? args : ["bake", "project.json", "--out", "dance.glb", "--quiet"]));
+    expect(run.stdout).toBe("");
+    expect(run.stderr).toMatch(/^rigless: [^\n]+\n$/);
+    expect(readdirSync(folder)).toEqual(before);
+    expect(run.code).toBe(run.stderr.includes("--") || run.stderr.includes("bake ") ? 2 : 1);
+    return run.stderr.slice("rigless: ".length, -1);
+  }
+
+  const hop = readFileSync(join(web, "assets/motions/hop.bvh"));
+  const bean = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+  it("names the file and what is wrong with it", { timeout: 60_000 }, async () => {
+    expect(await refused({})).toBe("project.json: there is no such file.");
+    expect(await refused({ "project.json": "{" })).toMatch(/^project\.json is not whole JSON: /);
+    expect(await refused({ "project.json": new Uint8Array([1, 0, 2]) })).toBe("project.json is neither a project.json nor a saved project.");
+    expect(await refused({ "project.json": project({ version: 2 }) })).toContain("saved by a newer Rigless (version 2)");
+    expect(await refused({ "project.json": project({ points: 3 }) })).toBe("project.json: points should be a list of objects, but it is 3.");
+    expect(await refused({ "project.json": project({}) })).toBe("project.json names bean.obj: there is no such file.");
+    expect(await refused({ "bean.obj": bean })).toBe("project.json names hop.bvh: there is no such file.");
+    expect(await refused({ "hop.bvh": hop, "bean.obj": bean + "f 1 2 9\n" })).toBe(
+      "bean.obj, line 9: a face names vertex 9, but there are 4 vertices above it.");
+    expect(await refused({ "bean.obj": bean, "hop.bvh": "HIERARCHY\nROOT a\n{\n" })).toMatch(/^hop\.bvh/);
+    expect(await refused({ "project.json": readFileSync(program).subarray(0, 3), "x.zip": "PK\u0003\u0004junk" }, "bake", "x.zip", "--out", "a.glb")).toMatch(
+      /^x\.zip is a broken zip: /);
+  });
+
+  it("does not begin when there is no place for the result", async () => {
+    expect(await refused({ "project.json": project({}) }, "bake", "project.json", "--out", "no/where.glb")).toBe("no/where.glb: there is no folder no.");
+    expect(await refused({}, "bake", "project.json", "--out", ".")).toBe(".: it is a folder.");
+  });
+
+  it("asks for what it needs", async () => {
+    expect(await refused({}, "bake")).toBe("bake needs a project. See rigless --help.");
+    expect(await refused({}, "bake", "a.json")).toBe("bake needs --out, --track or both.");
+    expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--every", "0")).toBe('--every should be a whole number from 1, but it is "0".');
+    expect(await refused({}, "bake", "a.json", "b.json", "--out", "a.glb")).toBe('bake takes one project; "b.json" is too much.');
+    expect(await refused({}, "bake", "--louder")).toContain("--louder");
+    expect(await refused({}, "boil")).toBe('"boil" is no command. See rigless --help.');
+  });
+
+  it("leaves nothing behind when it is interrupted", { timeout: 60_000 }, async () => {
+    const child: ChildProcess = spawn(process.execPath, [program, "bake", cactus, "--out", "dance.glb"], { cwd: folder });
+    let said = "";
+    const code = await new Promise<number | null>((resolve) => {
+      child.stderr?.on("data", (chunk: Buffer) => {
+        said += chunk.toString();
+        if (said.includes("Deforming")) child.kill("SIGINT");
+      });
+      child.on("exit", resolve);
+    });
+    expect(code).toBe(130);
+    expect(said).toMatch(/rigless: interrupted, nothing was written\.\n$/);
+    expect(readdirSync(folder)).toEqual([]);
+  });
+});
+
+it("knows its version and tells what it can do", async () => {
+  expect(await rigless("--version")).toEqual({ code: 0, stdout: `${version}\n`, stderr: "" });
+  const help = await rigless("--help");
+  expect(help.code).toBe(0);
+  for (const word of ["bake", "--out", "--track", "--every", "--quiet", "--help", "--version"]) expect(help.stdout).toContain(word);
+});
