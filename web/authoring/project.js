@@ -8,11 +8,11 @@ import * as walk from "./motions/walk.js";
 
 // Wide discs where the shape shall keep its character: the dome of the top, the pot's edges.
 const POINTS = [
-  { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0], radius: 0.13 },
+  { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0], radius: 0.17 },
   { id: "right-arm", name: "Right arm", joint: "RightHand", near: [-0.52, 1.05, 0], radius: 0.07 },
   { id: "left-arm", name: "Left arm", joint: "LeftHand", near: [0.52, 1.3, 0], radius: 0.07 },
-  { id: "right-edge", name: "Right edge", joint: "RightFoot", near: [-0.21, 0, 0], radius: 0.11 },
-  { id: "left-edge", name: "Left edge", joint: "LeftFoot", near: [0.21, 0, 0], radius: 0.11 },
+  { id: "right-edge", name: "Right edge", joint: "RightFoot", near: [-0.21, 0, 0], radius: 0.09 },
+  { id: "left-edge", name: "Left edge", joint: "LeftFoot", near: [0.21, 0, 0], radius: 0.09 },
   { id: "middle", name: "Middle", joint: "Hips", near: [0, 0.57, 0.3], radius: 0.08 },
 ];
 
@@ -23,7 +23,7 @@ const POSES = [
     motion: "hop",
     seconds: 3.24,
     moves: {
-      top: [0, -0.32, 0.06],
+      top: [0, -0.28, 0.06],
       middle: [0, -0.09, 0.06],
       "right-arm": [-0.15, -0.36, 0.04],
       "left-arm": [0.15, -0.4, 0.04],
@@ -36,7 +36,7 @@ const POSES = [
     motion: "hop",
     seconds: 0.35,
     moves: {
-      top: [0.02, -0.27, 0.12],
+      top: [0.02, -0.24, 0.12],
       middle: [0, -0.08, 0.05],
       "right-arm": [-0.04, -0.3, -0.22],
       "left-arm": [0.04, -0.34, -0.22],
@@ -67,8 +67,8 @@ const POSES = [
       middle: [0.05, 0.03, 0],
       "right-arm": [0.02, -0.1, 0.12],
       "left-arm": [0.13, 0.26, 0.06],
-      "right-edge": [0.03, -0.03, 0],
-      "left-edge": [-0.01, 0.08, 0],
+      "right-edge": [-0.03, 0.07, 0],
+      "left-edge": [-0.05, -0.03, 0],
     },
   },
   {
