@@ -136,15 +136,17 @@ export class DotOverlay {
     }
   }
 
-  /** Shows words beside a point, to the left where the right edge is near; null hides them. */
+  /** Shows words beside a point, or over it where the right edge is near; null hides them. */
   showTag(words: string | null, at: Projected | null, gap: number): void {
     this.tag.hidden = words === null || at === null;
     if (words === null || at === null) return;
     if (this.tag.textContent !== words) this.tag.textContent = words;
-    const width = this.tag.offsetWidth;
-    const right = at.x + gap + width < this.element.clientWidth - 4;
-    const x = right ? at.x + gap : Math.max(4, at.x - gap - width);
-    this.tag.style.transform = `translate(${Math.round(x)}px, ${Math.round(at.y - this.tag.offsetHeight / 2)}px)`;
+    const { offsetWidth: width, offsetHeight: height } = this.tag;
+    const most = this.element.clientWidth - width - 4;
+    const beside = at.x + gap <= most;
+    const x = beside ? at.x + gap : Math.max(4, Math.min(at.x - width / 2, most));
+    const y = beside ? at.y - height / 2 : Math.max(4, at.y - gap - height);
+    this.tag.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
   /** The mark that the tag names: in the hand, else under the pointer, else with the keyboard's focus, else selected. */

@@ -25,9 +25,14 @@ const HOPELESS_MS = 300;
 const WARM_UP = 2;
 
 export class QualityGovernor {
-  private step = 0;
+  private step: number;
   private lateness = 0;
   private frames = 0;
+
+  /** `renderer`: what the graphics card calls itself; a program that plays one begins with the small shadow. */
+  constructor(renderer = "") {
+    this.step = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer) ? 1 : 0;
+  }
 
   get quality(): Quality {
     return STEPS[this.step]!;

@@ -117,6 +117,12 @@ export class Stage {
     return moving;
   }
 
+  rendererName(): string {
+    const gl = this.renderer.getContext();
+    const unmasked = gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL;
+    return String(gl.getParameter(unmasked ?? gl.RENDERER));
+  }
+
   setQuality(quality: Quality): void {
     this.lights.setShadow(quality);
     this.ground.setShadow(quality.shadowMap > 0);

@@ -36,7 +36,7 @@ export class Viewport implements ViewportApi {
   private readonly thumbnails: Thumbnails;
   private readonly observer: ResizeObserver;
   private readonly abort = new AbortController();
-  private readonly governor = new QualityGovernor();
+  private readonly governor: QualityGovernor;
   private theme: Theme;
   private figure: ModelFigure | null = null;
   private picker: SurfacePicker | null = null;
@@ -76,6 +76,7 @@ export class Viewport implements ViewportApi {
     host.append(this.root);
 
     this.stage = new Stage(canvas, still);
+    this.governor = new QualityGovernor(this.stage.rendererName());
     this.stage.setQuality(this.governor.quality);
     this.rig = new CameraRig(this.root, still, () => this.invalidate());
     this.hand = new DotHand(this.events, this.rig, this.stage.model.offset);
