@@ -1,16 +1,19 @@
-// Counts heap allocations of this program, so that a test can say "none here". Include it in one file of a program.
+// Counts heap allocations of this program, so that a test can say "none here".
 #pragma once
 
 #include <cstdint>
 #include <cstdlib>
 #include <new>
 
-// Out of line, or the compiler sees a free() of what it takes for a new.
-#define RIGLESS_KEEP __attribute__((noinline))
-
 namespace rigless::test {
 inline std::int64_t allocation_count = 0;
 }
+
+#ifdef RIGLESS_DEFINE_NEW  // tests/main.cpp
+
+// Out of line, or the compiler sees a free() of what it takes for a new.
+#define RIGLESS_KEEP __attribute__((noinline))
+
 
 RIGLESS_KEEP void* operator new(std::size_t size) {
   ++rigless::test::allocation_count;
@@ -27,3 +30,5 @@ RIGLESS_KEEP void operator delete(void* p) noexcept { std::free(p); }
 RIGLESS_KEEP void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 RIGLESS_KEEP void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 RIGLESS_KEEP void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+#endif

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "rigless/deform/discs.h"
-#include "rigless/deform/pose_state.h"
-#include "rigless/math/sparse_ldlt.h"
+#include "rigless/deform/local_step.h"
+#include "rigless/deform/volume_law.h"
+#include "rigless/math/supernodal_ldlt.h"
 #include "rigless/mesh/shells.h"
 
 namespace rigless {
@@ -72,26 +73,37 @@ class Deformer {
   std::int32_t vertices() const { return static_cast<std::int32_t>(cells_.size()); }
   std::int32_t handles() const { return static_cast<std::int32_t>(discs_.size()); }
 
-  // Of the shape state, at its present surface.
-  S energy() const { return shape_energy<S>(cells_, shape_, elastic_); }
+  // Of the shape state, at its present surface. No allocation.
+  double energy() { return shape_energy(slices_, x_.data(), elastic_); }
+
+  // Of everything bound here.
+  std::int64_t bytes() const;
 
  private:
-  using Matrix = typename SparseLdlt<S>::Matrix;
+  using Quad = simd::Quad<S>;
 
-  static Matrix system_matrix(const Cells<S>& cells, const Discs& discs);
-  void place_discs(Span<Vec3<S>> surface);
-  void solve(Span<Vec3<S>> surface);
+  void fill_system(std::int32_t vertex, const Discs& discs);
+  void refill_system(const Discs& from, const Discs& to);
+  Quad& row(Span<Quad> rows, std::size_t vertex) { return rows[static_cast<std::size_t>(ldlt_.place()[vertex])]; }
+  Vec3<S> position(std::size_t vertex);
+  void turn_discs();
+  void hold();
+  void show(Span<const Quad> update, Span<Vec3<S>> out) const;
 
   Cells<S> cells_;
   ElasticScale<S> elastic_;
   Discs discs_;
-  SparseLdlt<S> ldlt_;
+  SupernodalLdlt<S> ldlt_;
+  CellSlices<S> slices_;
+  std::vector<S> diagonal_;             // V
+  std::vector<S> coupling_;             // directed edges
+  std::vector<std::int32_t> changed_;   // vertices whose rows of the system changed
   std::vector<Vec3<S>> targets_;        // C
   std::vector<Mat3<S>> disc_rotation_;  // C
-  std::vector<Vec3<S>> shape_;          // V
+  std::vector<Quad> x_;                 // V + 1: shape state, in elimination order
+  std::vector<Quad> r_;                 // V + 1: residual, then update
+  std::vector<Vec3<S>> shape_;          // V, as the caller numbers them
   std::vector<Vec3<S>> positions_;      // V
-  std::vector<Mat3<S>> transform_;      // V: s_i R_i, or V_i R_i in the pose state
-  std::vector<Rhs4<S>> rhs_;            // V
 };
 
 template <class S, class Weights>
@@ -119,58 +131,73 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
   }
   measure_cells(cells);
 
-  Discs free;  // the pattern does not depend on who holds what
-  free.owner.assign(cells.size(), -1);
-  SparseLdlt<S> ldlt;
-  if (const Status s = ldlt.analyze(system_matrix(cells, free)); !s.ok()) return s;
-
   cells_ = std::move(cells);
-  ldlt_ = std::move(ldlt);
   elastic_.mu = options.elastic;
+  ldlt_ = {};
+  ldlt_.analyze(cells_.ring.first, cells_.ring.neighbor);
+  slices_ = slice_cells(cells_, ldlt_.place(), ldlt_.vertex_at());
   discs_ = {};
+  discs_.owner.assign(cells_.size(), -1);
+  diagonal_.assign(cells_.size(), S(0));
+  coupling_.assign(static_cast<std::size_t>(cells_.ring.edges()), S(0));
+  for (std::int32_t v = 0; v < count; ++v) fill_system(v, discs_);
   targets_.clear();
   disc_rotation_.clear();
-  shape_ = positions_ = cells_.rest;
-  transform_.assign(cells_.size(), Mat3<S>::Identity());
-  rhs_.assign(cells_.size(), Rhs4<S>::Zero());
+  x_.assign(cells_.size() + 1, Quad{});
+  r_.assign(cells_.size() + 1, Quad{});
+  shape_.resize(cells_.size());
+  positions_.resize(cells_.size());
+  reset();
   return {};
 }
 
-// The Laplacian with hard rows: held vertices keep a unit diagonal and no coupling, so that the pattern, and with it
-// the permutation, never changes. Lower triangle.
+// Row of one vertex in the Laplacian with hard rows: held vertices keep a unit diagonal and no coupling, so that the
+// pattern, and with it the elimination order, never changes.
 template <class S, class Weights>
-auto Deformer<S, Weights>::system_matrix(const Cells<S>& cells, const Discs& discs) -> Matrix {
-  const auto n = static_cast<std::int32_t>(cells.size());
-  std::vector<Eigen::Triplet<S, std::int32_t>> entries;
-  entries.reserve(cells.size() + static_cast<std::size_t>(cells.ring.edges()) / 2);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    S diagonal = S(0);
-    for (auto k = static_cast<std::size_t>(cells.ring.first[i]); k < static_cast<std::size_t>(cells.ring.first[i + 1]);
-         ++k) {
-      const std::int32_t j = cells.ring.neighbor[k];
-      diagonal += cells.weight[k];
-      if (j > static_cast<std::int32_t>(i)) continue;
-      const bool coupled = !discs.holds(i) && !discs.holds(static_cast<std::size_t>(j));
-      entries.emplace_back(static_cast<std::int32_t>(i), j, coupled ? -cells.weight[k] : S(0));
-    }
-    entries.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(i), discs.holds(i) ? S(1) : diagonal);
+void Deformer<S, Weights>::fill_system(std::int32_t vertex, const Discs& discs) {
+  const auto i = static_cast<std::size_t>(vertex);
+  S diagonal = S(0);
+  for (auto k = static_cast<std::size_t>(cells_.ring.first[i]); k < static_cast<std::size_t>(cells_.ring.first[i + 1]);
+       ++k) {
+    diagonal += cells_.weight[k];
+    const bool coupled = !discs.holds(i) && !discs.holds(static_cast<std::size_t>(cells_.ring.neighbor[k]));
+    coupling_[k] = coupled ? -cells_.weight[k] : S(0);
   }
-  Matrix A(n, n);
-  A.setFromTriplets(entries.begin(), entries.end());
-  return A;
+  diagonal_[i] = discs.holds(i) ? S(1) : diagonal;
+}
+
+// Rewrites the rows of vertices that became held or free, and of their neighbours.
+template <class S, class Weights>
+void Deformer<S, Weights>::refill_system(const Discs& from, const Discs& to) {
+  changed_.clear();
+  for (std::size_t v = 0; v < cells_.size(); ++v) {
+    if (from.holds(v) != to.holds(v)) changed_.push_back(static_cast<std::int32_t>(v));
+  }
+  for (const std::int32_t v : changed_) {
+    fill_system(v, to);
+    const auto i = static_cast<std::size_t>(v);
+    for (auto k = static_cast<std::size_t>(cells_.ring.first[i]);
+         k < static_cast<std::size_t>(cells_.ring.first[i + 1]); ++k) {
+      fill_system(cells_.ring.neighbor[k], to);
+    }
+  }
 }
 
 template <class S, class Weights>
 Status Deformer<S, Weights>::set_handles(Span<const Handle<S>> handles) {
   Discs discs;
   if (const Status s = make_discs(cells_, handles, discs); !s.ok()) return s;
-  if (const Status s = ldlt_.factorize(system_matrix(cells_, discs)); !s.ok()) {
-    if (!discs_.center.empty()) {
-      const Status restored = ldlt_.factorize(system_matrix(cells_, discs_));
+  refill_system(discs_, discs);
+  const bool first = discs_.size() == 0;
+  const Status factored = first ? ldlt_.factorize(diagonal_, coupling_) : ldlt_.refactorize(diagonal_, coupling_, changed_);
+  if (!factored.ok()) {
+    refill_system(discs, discs_);
+    if (!first) {
+      const Status restored = ldlt_.factorize(diagonal_, coupling_);
       RIGLESS_ASSERT(restored.ok());
       static_cast<void>(restored);
     }
-    return s;
+    return factored;
   }
   discs_ = std::move(discs);
   targets_.clear();
@@ -194,13 +221,16 @@ void Deformer<S, Weights>::reset() {
 template <class S, class Weights>
 void Deformer<S, Weights>::set_shape(Span<const Vec3<S>> surface) {
   RIGLESS_ASSERT(surface.size() == shape_.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) row(x_, v) = Quad{surface[v].x(), surface[v].y(), surface[v].z(), S(0)};
   std::copy(surface.begin(), surface.end(), shape_.begin());
   std::copy(surface.begin(), surface.end(), positions_.begin());
   std::fill(disc_rotation_.begin(), disc_rotation_.end(), Mat3<S>::Identity());
+  slices_.set_rotations(Mat3<S>::Identity());
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::start() {
+  RIGLESS_ASSERT(discs_.size() > 0);
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
   for (std::size_t c = 0; c < targets_.size(); ++c) {
     from += cells_.rest[static_cast<std::size_t>(discs_.center[c])];
@@ -213,65 +243,96 @@ void Deformer<S, Weights>::start() {
     C += (cells_.rest[static_cast<std::size_t>(discs_.center[c])] - from) * (targets_[c] - to).transpose();
   }
   const Mat3<S> R = nearest_rotation(C);
-  std::fill(transform_.begin(), transform_.end(), R);
+  for (std::size_t v = 0; v < cells_.size(); ++v) {
+    const Vec3<S> p = to + R * (cells_.rest[v] - from);
+    row(x_, v) = Quad{p.x(), p.y(), p.z(), S(0)};
+  }
   std::fill(disc_rotation_.begin(), disc_rotation_.end(), R);
-  solve(shape_);
+  slices_.set_rotations(R);
+  std::fill(r_.begin(), r_.end(), Quad{});  // a rigidly moved surface has no residual; what is held has moved on
+  hold();
+  ldlt_.solve(r_.data());
+  for (std::size_t i = 0; i < cells_.size(); ++i) x_[i] += r_[i];
+  show({}, shape_);
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::step(int iterations) {
-  RIGLESS_ASSERT(ldlt_.factored());
+  RIGLESS_ASSERT(discs_.size() > 0);
   for (int it = 0; it < iterations; ++it) {
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const CellFit<S> fit = fit_cell<S>(cells_, shape_, i, elastic_);
-      transform_[i] = fit.s * fit.R;
-    }
-    for (std::size_t c = 0; c < discs_.size(); ++c) {
-      if (discs_.first[c + 1] - discs_.first[c] < 2) continue;  // a single vertex has no turn
-      disc_rotation_[c] = fit_disc<S>(cells_, discs_, c, transform_, shape_, targets_[c]);
-    }
-    solve(shape_);
+    std::fill(r_.begin(), r_.end(), Quad{});
+    shape_step(slices_, x_.data(), elastic_, r_.data());
+    turn_discs();
+    hold();
+    ldlt_.solve(r_.data());
+    for (std::size_t i = 0; i < cells_.size(); ++i) x_[i] += r_[i];
   }
+  show({}, shape_);
 }
 
 template <class S, class Weights>
 template <class Law>
 void Deformer<S, Weights>::pose(const Law& law) {
-  RIGLESS_ASSERT(ldlt_.factored());
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const Mat3<S> R = nearest_rotation(covariance<S>(cells_, shape_, i));
-    transform_[i] = volume_transform(fit_stretch<S>(cells_, shape_, R, i), R, law);
-  }
-  solve(positions_);
+  RIGLESS_ASSERT(discs_.size() > 0);
+  std::fill(r_.begin(), r_.end(), Quad{});
+  pose_step(slices_, x_.data(), law, r_.data());
+  for (const std::int32_t v : discs_.member) row(r_, static_cast<std::size_t>(v)) = Quad{};
+  ldlt_.solve(r_.data());
+  show(r_, positions_);
 }
 
 template <class S, class Weights>
-void Deformer<S, Weights>::place_discs(Span<Vec3<S>> surface) {
+Vec3<S> Deformer<S, Weights>::position(std::size_t vertex) {
+  const Quad& q = row(x_, vertex);
+  return {q[0], q[1], q[2]};
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::turn_discs() {
   for (std::size_t c = 0; c < discs_.size(); ++c) {
-    place_disc<S>(cells_, discs_, c, disc_rotation_[c], targets_[c], surface);
+    if (discs_.first[c + 1] - discs_.first[c] < 2) continue;  // a single vertex has no turn
+    disc_rotation_[c] = fit_disc(
+        cells_, discs_, c, [&](std::size_t v) { return slices_.transform(ldlt_.place()[v]); },
+        [&](std::size_t v) { return position(v); }, targets_[c]);
   }
 }
 
-// Solves Eq 3.7 for the free vertices with the present transforms; held ones go where their discs put them.
+// Puts held vertices where target and disc have them. Their free neighbours' residuals learn of the move; their own are
+// settled.
 template <class S, class Weights>
-void Deformer<S, Weights>::solve(Span<Vec3<S>> surface) {
-  place_discs(surface);
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (discs_.holds(i)) {
-      rhs_[i].template head<3>() = surface[i].array();
-      continue;
+void Deformer<S, Weights>::hold() {
+  for (std::size_t c = 0; c < discs_.size(); ++c) {
+    const Vec3<S>& center = cells_.rest[static_cast<std::size_t>(discs_.center[c])];
+    for (std::int32_t m = discs_.first[c]; m < discs_.first[c + 1]; ++m) {
+      const auto v = static_cast<std::size_t>(discs_.member[static_cast<std::size_t>(m)]);
+      const Vec3<S> p = targets_[c] + disc_rotation_[c] * (cells_.rest[v] - center);
+      const Quad now{p.x(), p.y(), p.z(), S(0)};
+      const Quad moved = now - row(x_, v);
+      row(x_, v) = now;
+      for_each_edge(cells_, v, [&](S w, const Vec3<S>&, std::size_t j) {
+        if (!discs_.holds(j)) row(r_, j) += w * moved;
+      });
     }
-    Vec3<S> b = Vec3<S>::Zero();
-    for_each_edge(cells_, i, [&](S w, const Vec3<S>& e, std::size_t j) {
-      b.noalias() += (w / S(2)) * ((transform_[i] + transform_[j]) * e);
-      if (discs_.holds(j)) b += w * surface[j];
-    });
-    rhs_[i].template head<3>() = b.array();
   }
-  ldlt_.solve(rhs_);
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (!discs_.holds(i)) surface[i] = rhs_[i].template head<3>().matrix();
+  for (const std::int32_t v : discs_.member) row(r_, static_cast<std::size_t>(v)) = Quad{};
+}
+
+// x, plus the update if there is one, in the caller's numbering.
+template <class S, class Weights>
+void Deformer<S, Weights>::show(Span<const Quad> update, Span<Vec3<S>> out) const {
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    const auto at = static_cast<std::size_t>(ldlt_.place()[v]);
+    const Quad q = update.empty() ? x_[at] : x_[at] + update[at];
+    out[v] = Vec3<S>(q[0], q[1], q[2]);
   }
+}
+
+template <class S, class Weights>
+std::int64_t Deformer<S, Weights>::bytes() const {
+  const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
+  return ldlt_.bytes() + slices_.bytes() + of(cells_.ring.first) + of(cells_.ring.neighbor) + of(cells_.weight) +
+         of(cells_.rest) + of(cells_.weighted_size) + of(discs_.owner) + of(discs_.member) + of(diagonal_) +
+         of(coupling_) + of(changed_) + of(x_) + of(r_) + of(shape_) + of(positions_);
 }
 
 }  // namespace rigless

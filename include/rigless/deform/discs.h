@@ -64,38 +64,28 @@ Status make_discs(const Cells<S>& cells, Span<const Handle<S>> handles, Discs& o
 }
 
 // The rotation of disc c about its control that best agrees with the cells: an exact block step, so the energy never
-// rises. `transform` holds s_i R_i of every cell. No allocation.
+// rises. transform(v) is s_v R_v of the cell at vertex v, position(v) the present surface. No allocation.
 // The covariance collects sum_k p_k q_k^T over the edges k -> j of the disc's vertices, p from the control at rest:
 // to a free j, both directed copies ask Q p_k = x_j - t + M e_kj; inside the disc, each asks Q e_kl = M_k e_kl.
-template <class S>
-Mat3<S> fit_disc(const Cells<S>& cells, const Discs& discs, std::size_t c, Span<const Mat3<S>> transform,
-                 Span<const Vec3<S>> surface, const Vec3<S>& target) {
+template <class S, class Transform, class Position>
+Mat3<S> fit_disc(const Cells<S>& cells, const Discs& discs, std::size_t c, const Transform& transform,
+                 const Position& position, const Vec3<S>& target) {
   const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
   Mat3<S> C = Mat3<S>::Zero();
   for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
     const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
     const Vec3<S> p = cells.rest[k] - center;
+    const Mat3<S> M = transform(k);
     for_each_edge(cells, k, [&](S w, const Vec3<S>& e, std::size_t j) {
       if (discs.owner[j] == static_cast<std::int32_t>(c)) {
-        C.noalias() += (w * e) * (transform[k] * e).transpose();
+        C.noalias() += (w * e) * (M * e).transpose();
       } else {
-        const Vec3<S> q = S(2) * (surface[j] - target) + (transform[k] + transform[j]) * e;
+        const Vec3<S> q = S(2) * (position(j) - target) + (M + transform(j)) * e;
         C.noalias() += (w * p) * q.transpose();
       }
     });
   }
   return nearest_rotation(C);
-}
-
-// Puts the vertices of disc c where a rigid piece with rotation Q about the target has them. No allocation.
-template <class S>
-void place_disc(const Cells<S>& cells, const Discs& discs, std::size_t c, const Mat3<S>& Q, const Vec3<S>& target,
-                Span<Vec3<S>> surface) {
-  const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
-  for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
-    const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
-    surface[k] = target + Q * (cells.rest[k] - center);
-  }
 }
 
 }  // namespace rigless

@@ -1,0 +1,320 @@
+// LDL^T of a sparse symmetric positive definite matrix in dense pieces: neighbouring columns with the same rows form a
+// supernode, so that a solve streams the factor once for x, y and z together, and a change of few rows re-does only the
+// supernodes above them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "rigless/math/simd.h"
+#include "rigless/math/span.h"
+#include "rigless/math/status.h"
+#include "rigless/math/supernode_tree.h"
+
+namespace rigless {
+
+template <class S>
+class SupernodalLdlt {
+ public:
+  using Quad = simd::Quad<S>;
+
+  // Orders and analyses the pattern of a symmetric graph: neighbours of i are neighbor[first[i]] .. first[i + 1] - 1, both
+  // directions listed, no diagonal. Allocates all that later calls need.
+  void analyze(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
+
+  // Factors A, with A_ii = diagonal[i] (n) and A_ij = coupling[slot of i -> j]; both in the graph's own numbering. On
+  // failure the factor is unusable until the next success. No allocation.
+  // Errors: factorization_failed (where: row); a common reason is a part of the mesh that no control holds.
+  Status factorize(Span<const S> diagonal, Span<const S> coupling);
+
+  // The same after only the rows and columns of `changed` vertices got new values: touches their ancestors alone.
+  Status refactorize(Span<const S> diagonal, Span<const S> coupling, Span<const std::int32_t> changed);
+
+  // Solves in place for n rows in elimination order. No allocation.
+  void solve(Quad* x) const;
+
+  // Elimination order: place[i] of vertex i, and vertex_at[place].
+  const std::vector<std::int32_t>& place() const { return tree_.place; }
+  const std::vector<std::int32_t>& vertex_at() const { return tree_.vertex_at; }
+
+  std::int32_t rows() const { return static_cast<std::int32_t>(tree_.place.size()); }
+  std::int64_t stored() const { return static_cast<std::int64_t>(values_.size()); }  // numbers, padding zeros included
+  std::int64_t bytes() const;
+
+ private:
+  Status factor_supernode(std::int32_t s, Span<const S> diagonal, Span<const S> coupling);
+  void assemble(std::int32_t s, Span<const S> diagonal, Span<const S> coupling);
+  void subtract_descendants(std::int32_t s);
+  std::int32_t eliminate(std::int32_t s);
+
+  SupernodeTree tree_;
+  std::vector<std::int32_t> first_, neighbor_;  // the graph
+  std::vector<S> values_;     // per supernode: w + m rows of w numbers, row-major
+  std::vector<S> inverse_d_;  // n
+  std::vector<std::int32_t> local_row_;  // n: place -> row of the supernode at hand
+  std::vector<S> scaled_;     // scratch: D L^T of one segment
+  std::vector<S> update_;     // scratch: its product with the rows below
+  std::vector<char> dirty_;   // per supernode
+};
+
+template <class S>
+void SupernodalLdlt<S>::analyze(Span<const std::int32_t> first, Span<const std::int32_t> neighbor) {
+  first_.assign(first.begin(), first.end());
+  neighbor_.assign(neighbor.begin(), neighbor.end());
+  tree_ = build_supernode_tree(first, neighbor);
+  values_.assign(static_cast<std::size_t>(tree_.values), S(0));
+  inverse_d_.assign(tree_.place.size(), S(0));
+  local_row_.assign(tree_.place.size(), 0);
+  dirty_.assign(tree_.nodes.size(), 0);
+  std::size_t widest = 0, largest = 0;
+  for (const auto& link : tree_.links) {
+    const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
+    const auto q = static_cast<std::size_t>(link.end - link.begin);
+    widest = std::max(widest, q * static_cast<std::size_t>(d.width));
+    largest = std::max(largest, q * static_cast<std::size_t>(d.row_count - link.begin));
+  }
+  scaled_.assign(widest, S(0));
+  update_.assign(largest, S(0));
+}
+
+template <class S>
+Status SupernodalLdlt<S>::factorize(Span<const S> diagonal, Span<const S> coupling) {
+  for (std::size_t s = 0; s < tree_.nodes.size(); ++s) {
+    if (const Status st = factor_supernode(static_cast<std::int32_t>(s), diagonal, coupling); !st.ok()) return st;
+  }
+  return {};
+}
+
+template <class S>
+Status SupernodalLdlt<S>::refactorize(Span<const S> diagonal, Span<const S> coupling,
+                                      Span<const std::int32_t> changed) {
+  std::fill(dirty_.begin(), dirty_.end(), 0);
+  const auto mark = [&](std::int32_t vertex) {
+    auto s = tree_.node_of[static_cast<std::size_t>(tree_.place[static_cast<std::size_t>(vertex)])];
+    for (; s >= 0 && !dirty_[static_cast<std::size_t>(s)]; s = tree_.nodes[static_cast<std::size_t>(s)].parent) {
+      dirty_[static_cast<std::size_t>(s)] = 1;
+    }
+  };
+  for (const std::int32_t v : changed) {
+    mark(v);
+    for (std::int32_t k = first_[static_cast<std::size_t>(v)]; k < first_[static_cast<std::size_t>(v) + 1]; ++k) {
+      mark(neighbor_[static_cast<std::size_t>(k)]);  // an entry is stored in the column that comes first
+    }
+  }
+  for (std::size_t s = 0; s < tree_.nodes.size(); ++s) {
+    if (!dirty_[s]) continue;
+    if (const Status st = factor_supernode(static_cast<std::int32_t>(s), diagonal, coupling); !st.ok()) return st;
+  }
+  return {};
+}
+
+template <class S>
+Status SupernodalLdlt<S>::factor_supernode(std::int32_t s, Span<const S> diagonal, Span<const S> coupling) {
+  assemble(s, diagonal, coupling);
+  subtract_descendants(s);
+  const std::int32_t bad = eliminate(s);
+  if (bad < 0) return {};
+  const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
+  return {Error::factorization_failed, tree_.vertex_at[static_cast<std::size_t>(node.first + bad)]};
+}
+
+template <class S>
+void SupernodalLdlt<S>::assemble(std::int32_t s, Span<const S> diagonal, Span<const S> coupling) {
+  const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
+  const auto w = static_cast<std::size_t>(node.width);
+  S* panel = values_.data() + node.values;
+  std::fill(panel, panel + (w + static_cast<std::size_t>(node.row_count)) * w, S(0));
+  for (std::int32_t k = 0; k < node.width; ++k) local_row_[static_cast<std::size_t>(node.first + k)] = k;
+  for (std::int32_t r = 0; r < node.row_count; ++r) {
+    local_row_[static_cast<std::size_t>(tree_.rows[static_cast<std::size_t>(node.rows + r)])] = node.width + r;
+  }
+  for (std::size_t k = 0; k < w; ++k) {
+    const std::int32_t place = node.first + static_cast<std::int32_t>(k);
+    const auto v = static_cast<std::size_t>(tree_.vertex_at[static_cast<std::size_t>(place)]);
+    panel[k * w + k] = diagonal[v];
+    for (auto slot = static_cast<std::size_t>(first_[v]); slot < static_cast<std::size_t>(first_[v + 1]); ++slot) {
+      const std::int32_t other = tree_.place[static_cast<std::size_t>(neighbor_[slot])];
+      if (other < place) continue;
+      panel[static_cast<std::size_t>(local_row_[static_cast<std::size_t>(other)]) * w + k] = coupling[slot];
+    }
+  }
+}
+
+// Left-looking: every earlier supernode d with rows among the columns of s takes L_d D_d L_d^T off.
+template <class S>
+void SupernodalLdlt<S>::subtract_descendants(std::int32_t s) {
+  const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
+  const auto w = static_cast<std::size_t>(node.width);
+  S* panel = values_.data() + node.values;
+  for (std::int32_t l = node.links; l < node.links + node.link_count; ++l) {
+    const SupernodeLink& link = tree_.links[static_cast<std::size_t>(l)];
+    const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
+    const auto dw = static_cast<std::size_t>(d.width);
+    const auto q = static_cast<std::size_t>(link.end - link.begin);
+    const auto p = static_cast<std::size_t>(d.row_count - link.begin);
+    const S* L = values_.data() + d.values + (dw + static_cast<std::size_t>(link.begin)) * dw;
+    const std::int32_t* rows = tree_.rows.data() + d.rows + link.begin;
+    S* B = scaled_.data();
+    for (std::size_t k = 0; k < dw; ++k) {
+      const S dk = S(1) / inverse_d_[static_cast<std::size_t>(d.first) + k];
+      for (std::size_t c = 0; c < q; ++c) B[k * q + c] = dk * L[c * dw + k];
+    }
+    S* U = update_.data();
+    std::fill(U, U + p * q, S(0));
+    for (std::size_t r = 0; r < p; ++r) {
+      for (std::size_t k = 0; k < dw; ++k) {
+        const S lrk = L[r * dw + k];
+        const S* b = B + k * q;
+        S* u = U + r * q;
+        for (std::size_t c = 0; c < q; ++c) u[c] += lrk * b[c];
+      }
+    }
+    for (std::size_t r = 0; r < p; ++r) {
+      S* target = panel + static_cast<std::size_t>(local_row_[static_cast<std::size_t>(rows[r])]) * w;
+      for (std::size_t c = 0; c < q && c <= r; ++c) target[rows[c] - node.first] -= U[r * q + c];
+    }
+  }
+}
+
+// Dense LDL^T of the square block, then the rows below it. Gives the first column without a positive pivot, or -1.
+template <class S>
+std::int32_t SupernodalLdlt<S>::eliminate(std::int32_t s) {
+  const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
+  const auto w = static_cast<std::size_t>(node.width);
+  const std::size_t total = w + static_cast<std::size_t>(node.row_count);
+  S* panel = values_.data() + node.values;
+  S* inverse_d = inverse_d_.data() + node.first;
+  // the upper triangle of the square holds L^T while it lasts, so that inner loops run along rows
+  for (std::size_t j = 0; j < w; ++j) {
+    const S d = panel[j * w + j];
+    if (!(d > S(0)) || !std::isfinite(d)) return static_cast<std::int32_t>(j);
+    inverse_d[j] = S(1) / d;
+    S* transposed = panel + j * w;
+    for (std::size_t k = j + 1; k < w; ++k) transposed[k] = panel[k * w + j] * inverse_d[j];
+    for (std::size_t i = j + 1; i < w; ++i) {
+      const S t = panel[i * w + j];
+      for (std::size_t k = j + 1; k <= i; ++k) panel[i * w + k] -= t * transposed[k];
+      panel[i * w + j] = t * inverse_d[j];
+    }
+  }
+  for (std::size_t i = w; i < total; ++i) {
+    S* row = panel + i * w;
+    for (std::size_t j = 0; j < w; ++j) {
+      const S t = row[j];
+      const S* transposed = panel + j * w;
+      for (std::size_t k = j + 1; k < w; ++k) row[k] -= t * transposed[k];
+    }
+    for (std::size_t j = 0; j < w; ++j) row[j] *= inverse_d[j];
+  }
+  return -1;
+}
+
+namespace detail {
+
+// acc[k] -= sum over rows of L(row, k) y(row), for N columns at once.
+template <class S, std::size_t N>
+inline void back_columns(const S* L, std::size_t w, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* x,
+                         simd::Quad<S>* out) {
+  simd::Quad<S> acc[N];
+  for (std::size_t k = 0; k < N; ++k) acc[k] = out[k];
+  for (std::size_t r = 0; r < m; ++r, L += w) {
+    const simd::Quad<S> y = x[rows[r]];
+    for (std::size_t k = 0; k < N; ++k) acc[k] -= L[k] * y;
+  }
+  for (std::size_t k = 0; k < N; ++k) out[k] = acc[k];
+}
+
+// x(row) -= sum_k L(row, k) y(k) over a supernode of N columns.
+template <class S, std::size_t N>
+inline void forward_rows(const S* L, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y, simd::Quad<S>* x) {
+  simd::Quad<S> held[N];
+  for (std::size_t k = 0; k < N; ++k) held[k] = y[k];
+  for (std::size_t r = 0; r < m; ++r, L += N) {
+    simd::Quad<S> acc = x[rows[r]];
+    for (std::size_t k = 0; k < N; ++k) acc -= L[k] * held[k];
+    x[rows[r]] = acc;
+  }
+}
+
+template <class S>
+inline void forward_any(const S* L, std::size_t w, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y,
+                        simd::Quad<S>* x) {
+  std::size_t r = 0;
+  for (; r + 2 <= m; r += 2) {
+    const S *a = L + r * w, *b = a + w;
+    simd::Quad<S> acc_a = x[rows[r]], acc_b = x[rows[r + 1]];
+    for (std::size_t k = 0; k < w; ++k) {
+      acc_a -= a[k] * y[k];
+      acc_b -= b[k] * y[k];
+    }
+    x[rows[r]] = acc_a;
+    x[rows[r + 1]] = acc_b;
+  }
+  for (; r < m; ++r) {
+    simd::Quad<S> acc = x[rows[r]];
+    for (std::size_t k = 0; k < w; ++k) acc -= L[r * w + k] * y[k];
+    x[rows[r]] = acc;
+  }
+}
+
+}  // namespace detail
+
+template <class S>
+void SupernodalLdlt<S>::solve(Quad* x) const {
+  for (const Supernode& node : tree_.nodes) {
+    const auto w = static_cast<std::size_t>(node.width);
+    const auto m = static_cast<std::size_t>(node.row_count);
+    const S* L = values_.data() + node.values;
+    const std::int32_t* rows = tree_.rows.data() + node.rows;
+    Quad* y = x + node.first;
+    for (std::size_t i = 1; i < w; ++i) {
+      Quad acc = y[i];
+      for (std::size_t k = 0; k < i; ++k) acc -= L[i * w + k] * y[k];
+      y[i] = acc;
+    }
+    const S* below = L + w * w;
+    switch (w) {
+      case 1: detail::forward_rows<S, 1>(below, m, rows, y, x); break;
+      case 2: detail::forward_rows<S, 2>(below, m, rows, y, x); break;
+      case 3: detail::forward_rows<S, 3>(below, m, rows, y, x); break;
+      case 4: detail::forward_rows<S, 4>(below, m, rows, y, x); break;
+      default: detail::forward_any<S>(below, w, m, rows, y, x);
+    }
+  }
+  for (auto it = tree_.nodes.rbegin(); it != tree_.nodes.rend(); ++it) {
+    const Supernode& node = *it;
+    const auto w = static_cast<std::size_t>(node.width);
+    const auto m = static_cast<std::size_t>(node.row_count);
+    const S* L = values_.data() + node.values;
+    const std::int32_t* rows = tree_.rows.data() + node.rows;
+    Quad* y = x + node.first;
+    for (std::size_t k = 0; k < w; ++k) y[k] *= inverse_d_[static_cast<std::size_t>(node.first) + k];
+    const S* below = L + w * w;
+    std::size_t k = 0;
+    for (; k + 8 <= w; k += 8) detail::back_columns<S, 8>(below + k, w, m, rows, x, y + k);
+    switch (w - k) {
+      case 1: detail::back_columns<S, 1>(below + k, w, m, rows, x, y + k); break;
+      case 2: detail::back_columns<S, 2>(below + k, w, m, rows, x, y + k); break;
+      case 3: detail::back_columns<S, 3>(below + k, w, m, rows, x, y + k); break;
+      case 4: detail::back_columns<S, 4>(below + k, w, m, rows, x, y + k); break;
+      case 5: detail::back_columns<S, 5>(below + k, w, m, rows, x, y + k); break;
+      case 6: detail::back_columns<S, 6>(below + k, w, m, rows, x, y + k); break;
+      case 7: detail::back_columns<S, 7>(below + k, w, m, rows, x, y + k); break;
+      default: break;
+    }
+    for (std::size_t i = w; i-- > 1;) {
+      const Quad yi = y[i];
+      for (std::size_t j = 0; j < i; ++j) y[j] -= L[i * w + j] * yi;
+    }
+  }
+}
+
+template <class S>
+std::int64_t SupernodalLdlt<S>::bytes() const {
+  const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
+  return of(first_) + of(neighbor_) + of(values_) + of(inverse_d_) + of(local_row_) + of(scaled_) + of(update_) +
+         of(dirty_) + of(tree_.place) + of(tree_.vertex_at) + of(tree_.node_of) + of(tree_.nodes) + of(tree_.rows) +
+         of(tree_.links);
+}
+
+}  // namespace rigless

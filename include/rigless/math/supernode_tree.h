@@ -1,0 +1,272 @@
+// The shape of a sparse factor before any number is known: elimination order, elimination tree, supernodes and who
+// updates whom.
+#pragma once
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "rigless/math/span.h"
+
+namespace rigless {
+
+// Columns first .. first + width - 1 of the factor; below their square block they share row_count rows.
+struct Supernode {
+  std::int32_t first = 0;
+  std::int32_t width = 0;
+  std::int32_t rows = 0;       // into SupernodeTree::rows
+  std::int32_t row_count = 0;
+  std::int32_t parent = -1;    // supernode that holds the first of those rows
+  std::int32_t links = 0;      // into SupernodeTree::links
+  std::int32_t link_count = 0;
+  std::int64_t values = 0;     // into the factor's numbers: (width + row_count) x width
+};
+
+// Rows begin .. end - 1 of an earlier supernode lie among the columns of this one.
+struct SupernodeLink {
+  std::int32_t descendant;
+  std::int32_t begin, end;
+};
+
+struct SupernodeTree {
+  std::vector<std::int32_t> place;      // n: vertex -> place in elimination order
+  std::vector<std::int32_t> vertex_at;  // n: place -> vertex
+  std::vector<std::int32_t> node_of;    // n: place -> supernode
+  std::vector<Supernode> nodes;
+  std::vector<std::int32_t> rows;       // places, ascending within a supernode
+  std::vector<SupernodeLink> links;     // grouped by the supernode that is updated
+  std::int64_t values = 0;              // numbers in all panels
+};
+
+// Orders by approximate minimum degree and merges columns into supernodes, also where a few zeros must be stored for it.
+// Allocates. Source: Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4 and 7; Ashcraft and Grimes 1989 for
+// the relaxed merging.
+SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
+
+namespace detail {
+
+struct Columns {
+  std::vector<std::int32_t> parent;  // elimination tree
+  std::vector<std::int64_t> begin;   // n + 1, into row
+  std::vector<std::int32_t> row;     // below the diagonal, ascending
+};
+
+inline std::vector<std::int32_t> minimum_degree_order(Span<const std::int32_t> first,
+                                                      Span<const std::int32_t> neighbor) {
+  const auto n = static_cast<std::int32_t>(first.size()) - 1;
+  using Pattern = Eigen::SparseMatrix<float, Eigen::ColMajor, std::int32_t>;
+  Pattern A(n, n);  // lower triangle; a column without a diagonal entry would be ordered last as if it were dense
+  A.reserve(static_cast<Eigen::Index>(neighbor.size() / 2) + n);
+  for (std::int32_t i = 0; i < n; ++i) {
+    A.startVec(i);
+    A.insertBack(i, i) = 1.0f;
+    for (auto k = static_cast<std::size_t>(first[static_cast<std::size_t>(i)]);
+         k < static_cast<std::size_t>(first[static_cast<std::size_t>(i) + 1]); ++k) {
+      if (neighbor[k] > i) A.insertBack(neighbor[k], i) = 1.0f;
+    }
+  }
+  A.finalize();
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> order;
+  Eigen::AMDOrdering<std::int32_t>()(A.selfadjointView<Eigen::Lower>(), order);
+  return {order.indices().data(), order.indices().data() + n};
+}
+
+// Elimination tree of the graph in the order vertex_at (place by place). Source: Liu 1986.
+inline std::vector<std::int32_t> elimination_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor,
+                                                  const std::vector<std::int32_t>& vertex_at,
+                                                  const std::vector<std::int32_t>& place) {
+  const std::size_t n = vertex_at.size();
+  std::vector<std::int32_t> parent(n, -1), ancestor(n, -1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto v = static_cast<std::size_t>(vertex_at[i]);
+    for (auto k = static_cast<std::size_t>(first[v]); k < static_cast<std::size_t>(first[v + 1]); ++k) {
+      std::int32_t j = place[static_cast<std::size_t>(neighbor[k])];
+      while (j >= 0 && j < static_cast<std::int32_t>(i)) {
+        const std::int32_t next = ancestor[static_cast<std::size_t>(j)];
+        ancestor[static_cast<std::size_t>(j)] = static_cast<std::int32_t>(i);
+        if (next < 0) parent[static_cast<std::size_t>(j)] = static_cast<std::int32_t>(i);
+        j = next;
+      }
+    }
+  }
+  return parent;
+}
+
+inline std::vector<std::int32_t> postorder(const std::vector<std::int32_t>& parent) {
+  const std::size_t n = parent.size();
+  std::vector<std::int32_t> child(n, -1), sibling(n, -1), order, stack;
+  for (std::size_t i = n; i-- > 0;) {
+    if (parent[i] < 0) continue;
+    sibling[i] = child[static_cast<std::size_t>(parent[i])];
+    child[static_cast<std::size_t>(parent[i])] = static_cast<std::int32_t>(i);
+  }
+  order.reserve(n);
+  for (std::size_t root = 0; root < n; ++root) {
+    if (parent[root] >= 0) continue;
+    stack.push_back(static_cast<std::int32_t>(root));
+    while (!stack.empty()) {
+      const auto i = static_cast<std::size_t>(stack.back());
+      if (child[i] >= 0) {
+        stack.push_back(child[i]);
+        child[i] = sibling[static_cast<std::size_t>(child[i])];
+      } else {
+        order.push_back(static_cast<std::int32_t>(i));
+        stack.pop_back();
+      }
+    }
+  }
+  return order;
+}
+
+// Row structure of every column: row i reaches the columns on the tree paths from its neighbours up to i.
+inline Columns column_structure(Span<const std::int32_t> first, Span<const std::int32_t> neighbor,
+                                const SupernodeTree& tree) {
+  const std::size_t n = tree.place.size();
+  Columns c;
+  c.parent = elimination_tree(first, neighbor, tree.vertex_at, tree.place);
+  c.begin.assign(n + 1, 0);
+  std::vector<std::int32_t> mark(n, -1);
+  std::vector<std::int64_t> next;
+  for (int pass = 0; pass < 2; ++pass) {  // count, then fill
+    std::fill(mark.begin(), mark.end(), -1);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto v = static_cast<std::size_t>(tree.vertex_at[i]);
+      mark[i] = static_cast<std::int32_t>(i);
+      for (auto k = static_cast<std::size_t>(first[v]); k < static_cast<std::size_t>(first[v + 1]); ++k) {
+        auto j = static_cast<std::size_t>(tree.place[static_cast<std::size_t>(neighbor[k])]);
+        if (j > i) continue;
+        for (; mark[j] != static_cast<std::int32_t>(i); j = static_cast<std::size_t>(c.parent[j])) {
+          mark[j] = static_cast<std::int32_t>(i);
+          if (pass == 0) {
+            c.begin[j + 1]++;
+          } else {
+            c.row[static_cast<std::size_t>(next[j]++)] = static_cast<std::int32_t>(i);
+          }
+        }
+      }
+    }
+    if (pass == 0) {
+      for (std::size_t j = 0; j < n; ++j) c.begin[j + 1] += c.begin[j];
+      c.row.resize(static_cast<std::size_t>(c.begin[n]));
+      next.assign(c.begin.begin(), c.begin.end() - 1);
+    }
+  }
+  return c;
+}
+
+// Last column of each supernode. Neighbouring columns join when their rows agree, or nearly: a stored zero costs less
+// than a supernode of its own.
+inline std::vector<std::int32_t> supernode_ends(const Columns& columns) {
+  struct Draft {
+    std::int64_t first, last, zeros;
+  };
+  constexpr std::int64_t widest = 64;  // wider ones gain nothing and would make a partial refactorisation coarse
+  const auto n = static_cast<std::int64_t>(columns.parent.size());
+  const auto below = [&](std::int64_t j) {
+    return columns.begin[static_cast<std::size_t>(j) + 1] - columns.begin[static_cast<std::size_t>(j)];
+  };
+  std::vector<Draft> drafts;
+  for (std::int64_t j = 0; j < n; ++j) {
+    drafts.push_back({j, j, 0});
+    while (drafts.size() > 1) {
+      const Draft& s = drafts[drafts.size() - 2];
+      const Draft& p = drafts.back();
+      const std::int64_t parent = columns.parent[static_cast<std::size_t>(s.last)];
+      if (parent < p.first || parent > p.last) break;
+      const std::int64_t ws = s.last - s.first + 1, wp = p.last - p.first + 1, w = ws + wp;
+      if (w > widest) break;
+      const std::int64_t zeros = s.zeros + p.zeros + ws * (wp + below(p.last) - below(s.last));
+      const std::int64_t size = w * (w + 1) / 2 + w * below(p.last);
+      const double share = static_cast<double>(zeros) / static_cast<double>(size);
+      if (share > (w <= 4 ? 0.35 : w <= 12 ? 0.15 : 0.05)) break;
+      const Draft merged{s.first, p.last, zeros};
+      drafts.pop_back();
+      drafts.back() = merged;
+    }
+  }
+  std::vector<std::int32_t> ends;
+  for (const Draft& d : drafts) ends.push_back(static_cast<std::int32_t>(d.last));
+  return ends;
+}
+
+inline void link_supernodes(SupernodeTree& tree) {
+  std::vector<SupernodeLink> links;
+  std::vector<std::int32_t> target;
+  for (std::size_t d = 0; d < tree.nodes.size(); ++d) {
+    const Supernode& node = tree.nodes[d];
+    for (std::int32_t b = 0; b < node.row_count;) {
+      const auto at = [&](std::int32_t r) {
+        return tree.node_of[static_cast<std::size_t>(tree.rows[static_cast<std::size_t>(node.rows + r)])];
+      };
+      std::int32_t e = b + 1;
+      while (e < node.row_count && at(e) == at(b)) ++e;
+      links.push_back({static_cast<std::int32_t>(d), b, e});
+      target.push_back(at(b));
+      tree.nodes[static_cast<std::size_t>(at(b))].link_count++;
+      b = e;
+    }
+  }
+  std::int32_t sum = 0;
+  for (Supernode& node : tree.nodes) {
+    node.links = sum;
+    sum += node.link_count;
+  }
+  std::vector<std::int32_t> next;
+  for (const Supernode& node : tree.nodes) next.push_back(node.links);
+  tree.links.resize(links.size());
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    tree.links[static_cast<std::size_t>(next[static_cast<std::size_t>(target[l])]++)] = links[l];
+  }
+}
+
+}  // namespace detail
+
+inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor) {
+  SupernodeTree tree;
+  const auto invert = [&] {
+    tree.place.resize(tree.vertex_at.size());
+    for (std::size_t i = 0; i < tree.vertex_at.size(); ++i) {
+      tree.place[static_cast<std::size_t>(tree.vertex_at[i])] = static_cast<std::int32_t>(i);
+    }
+  };
+  tree.vertex_at = detail::minimum_degree_order(first, neighbor);
+  invert();
+  const auto order = detail::postorder(detail::elimination_tree(first, neighbor, tree.vertex_at, tree.place));
+  std::vector<std::int32_t> vertex_at;
+  vertex_at.reserve(order.size());
+  for (const std::int32_t i : order) vertex_at.push_back(tree.vertex_at[static_cast<std::size_t>(i)]);
+  tree.vertex_at = std::move(vertex_at);
+  invert();
+
+  const detail::Columns columns = detail::column_structure(first, neighbor, tree);
+  tree.node_of.resize(tree.place.size());
+  std::int32_t start = 0;
+  for (const std::int32_t end : detail::supernode_ends(columns)) {
+    Supernode node;
+    node.first = start;
+    node.width = end - start + 1;
+    node.rows = static_cast<std::int32_t>(tree.rows.size());
+    const auto from = columns.row.begin() + columns.begin[static_cast<std::size_t>(end)];
+    const auto to = columns.row.begin() + columns.begin[static_cast<std::size_t>(end) + 1];
+    tree.rows.insert(tree.rows.end(), from, to);
+    node.row_count = static_cast<std::int32_t>(to - from);
+    node.values = tree.values;
+    tree.values += static_cast<std::int64_t>(node.width) * (node.width + node.row_count);
+    for (std::int32_t k = start; k <= end; ++k) {
+      tree.node_of[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(tree.nodes.size());
+    }
+    tree.nodes.push_back(node);
+    start = end + 1;
+  }
+  for (Supernode& node : tree.nodes) {
+    if (node.row_count > 0) {
+      node.parent = tree.node_of[static_cast<std::size_t>(tree.rows[static_cast<std::size_t>(node.rows)])];
+    }
+  }
+  detail::link_supernodes(tree);
+  return tree;
+}
+
+}  // namespace rigless
