@@ -45,6 +45,21 @@ const POSES = [
     },
   },
   {
+    // The last moment on the ground: long already, arms on their way up. The pot trails a little, or else the hops, whose
+    // travel goes on from the edges' last speed on the ground, would wander backwards.
+    id: "launch",
+    motion: "hop",
+    seconds: 2.47,
+    moves: {
+      top: [0, 0.16, 0],
+      middle: [0, 0.04, 0.01],
+      "right-arm": [-0.04, 0.04, 0.1],
+      "left-arm": [0.04, 0.02, 0.1],
+      "right-edge": [0, 0, -0.06],
+      "left-edge": [0, 0, -0.06],
+    },
+  },
+  {
     id: "stretch", // at the top of the big hop: longer, narrower, arms up
     motion: "hop",
     seconds: 2.76,
@@ -55,6 +70,17 @@ const POSES = [
       "left-arm": [-0.05, 0.38, 0.02],
       "right-edge": [0.06, 0, 0],
       "left-edge": [-0.06, 0, 0],
+    },
+  },
+  {
+    id: "touchdown", // the first moment back on it: still long
+    motion: "hop",
+    seconds: 3.03,
+    moves: {
+      top: [0, 0.1, 0.02],
+      middle: [0, 0.03, 0.01],
+      "right-arm": [-0.1, 0.2, 0.04],
+      "left-arm": [0.1, 0.16, 0.04],
     },
   },
   {
@@ -97,7 +123,7 @@ const MOTIONS = {
 const round = (v, digits) => v.map((x) => +x.toFixed(digits) + 0);
 
 /** Joints in metres with the root at the origin and the part of the root's turn about the vertical taken out. */
-export function bodyLocal(pose) {
+function bodyLocal(pose) {
   const { world, turn } = placeJoints(pose);
   const m = turn.Hips;
   // Twist of the unit quaternion (w, x, y, z) about y: atan2(y, w), doubled.

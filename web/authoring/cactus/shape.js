@@ -1,7 +1,8 @@
 // The cactus as one closed surface: a lattice of rings from the pot's bottom to the top, with two arms and a flower grown
 // out of holes in it. A lattice, and not a remeshed level set: the ribs then follow the edges, the pot's rim stays crisp, and
 // left and right are mirror images. Metres, Y up, facing +Z; the cactus's left is +X.
-import { add, cross, distance, dot, mix, normalize, scale, sub } from "../kit/vec3.js";
+import { relax, startAt, stitch, Surface } from "../kit/surface.js";
+import { add, cross, distance, dot, normalize, scale, sub } from "../kit/vec3.js";
 
 const SEGMENTS = 20; // every second one is the crest of a rib
 const FRONT = 5; // the column that faces +Z
@@ -9,7 +10,7 @@ const BACK = 15; // the texture's seam
 const TAU = 2 * Math.PI;
 
 // Profile from the bottom up: radius, height, depth of the ribs.
-export const POT_RINGS = [
+const POT_RINGS = [
   { r: 0.205, y: 0.0 },
   { r: 0.218, y: 0.066 },
   { r: 0.231, y: 0.132 },
@@ -20,7 +21,7 @@ export const POT_RINGS = [
   { r: 0.257, y: 0.386 },
   { r: 0.214, y: 0.352 },
 ];
-export const BODY_RINGS = [
+const BODY_RINGS = [
   { r: 0.246, y: 0.42, rib: 0.005 },
   { r: 0.268, y: 0.494, rib: 0.009 },
   { r: 0.283, y: 0.57, rib: 0.012 },
@@ -45,30 +46,6 @@ const ARMS = [
 const ARM_RADIUS = 0.086;
 const HOLE_RADIUS = 0.102;
 const FLOWER = { column: 2, ring: 10, axis: [0.5, 0.62, 0.6], lift: 0.042 };
-
-/** Vertices, and triangles that each carry a part's name and three texture coordinates of that part (not yet in the atlas). */
-class Surface {
-  vertices = [];
-  faces = [];
-
-  vertex(position) {
-    return this.vertices.push(position) - 1;
-  }
-  /** corners: [vertex, u, v] in counter-clockwise order seen from outside. */
-  triangle(part, ...corners) {
-    this.faces.push({ part, v: corners.map((c) => c[0]), uv: corners.map((c) => [c[1], c[2]]) });
-  }
-  /** Removes the triangles whose corners all belong to `patch`. */
-  removePatch(patch) {
-    this.faces = this.faces.filter((f) => !f.v.every((v) => patch.includes(v)));
-  }
-  /** Drops unused vertices. */
-  compact() {
-    const used = new Map();
-    for (const f of this.faces) f.v = f.v.map((v) => used.get(v) ?? (used.set(v, used.size), used.size - 1));
-    this.vertices = [...used.keys()].map((v) => this.vertices[v]);
-  }
-}
 
 function onRing(column, r, y) {
   const a = (TAU * column) / SEGMENTS;
@@ -220,34 +197,6 @@ function growArm(surface, rings, arm) {
   return along;
 }
 
-/** Joins two loops that run the same way around, always by the shorter edge. */
-function stitch(surface, part, outer, inner, corner) {
-  let i = 0;
-  let j = 0;
-  const p = (v) => surface.vertices[v];
-  while (i < outer.length || j < inner.length) {
-    const a = outer[i % outer.length];
-    const b = inner[j % inner.length];
-    const a2 = outer[(i + 1) % outer.length];
-    const b2 = inner[(j + 1) % inner.length];
-    const advanceOuter = j === inner.length || (i < outer.length && distance(p(a2), p(b)) <= distance(p(a), p(b2)));
-    if (advanceOuter) {
-      surface.triangle(part, corner(a), corner(a2), corner(b));
-      i++;
-    } else {
-      surface.triangle(part, corner(a), corner(b2), corner(b));
-      j++;
-    }
-  }
-}
-
-/** Rotates a loop so that it starts at the vertex nearest to `to`. */
-function startAt(surface, loop, to) {
-  const d = loop.map((v) => distance(surface.vertices[v], to));
-  const k = d.indexOf(Math.min(...d));
-  return [...loop.slice(k), ...loop.slice(0, k)];
-}
-
 /** Five petals: a rim of twenty vertices, an inner ring of ten, the heart. */
 function growFlower(surface, rings) {
   const hole = openHole(surface, rings, FLOWER.ring, FLOWER.column);
@@ -284,20 +233,6 @@ function profileLength(rings, start) {
   const out = [start];
   for (let k = 1; k < rings.length; k++) out.push(out[k - 1] + Math.hypot(rings[k].r - rings[k - 1].r, rings[k].y - rings[k - 1].y));
   return out;
-}
-
-/** Moves some vertices halfway to the mean of their neighbours, a few times: rounds the corner where a limb leaves the body. */
-function relax(surface, moving, rounds) {
-  const neighbours = new Map(moving.map((v) => [v, new Set()]));
-  for (const f of surface.faces) for (const v of f.v) if (neighbours.has(v)) f.v.forEach((w) => w !== v && neighbours.get(v).add(w));
-  for (let k = 0; k < rounds; k++) {
-    const next = moving.map((v) => {
-      const around = [...neighbours.get(v)];
-      const mean = scale(around.reduce((sum, w) => add(sum, surface.vertices[w]), [0, 0, 0]), 1 / around.length);
-      return mix(surface.vertices[v], mean, 0.5);
-    });
-    moving.forEach((v, i) => (surface.vertices[v] = next[i]));
-  }
 }
 
 export function buildCactus() {

@@ -36,6 +36,7 @@ function fittedAcceleration(y, [a, b], fps) {
   return (2 * (s0 * r2 - s2 * r0)) / (s0 * s4 - s2 * s2);
 }
 
+/** travels: how far the loop moves on, or null. Lengths in centimetres unless named otherwise. */
 export function reportMotion(poses, fps, { travels }) {
   const worlds = poses.map((p) => placeJoints(p).world);
   const names = JOINTS.map((j) => j.name);
@@ -58,6 +59,8 @@ export function reportMotion(poses, fps, { travels }) {
   });
   const step = (i, j) => names.map((n) => angleBetween(poses[i].local[n] ?? identity, poses[j].local[n] ?? identity));
   const turns = poses.slice(1).map((_, i) => step(i, i + 1));
+  const fastest = Math.max(...turns.flat());
+  const fastestFrame = turns.findIndex((row) => row.includes(fastest));
   const n = poses.length;
   // A jump at the seam shows as a second difference larger than elsewhere.
   const bend = (i) => Math.max(...names.map((name) => {
@@ -79,11 +82,7 @@ export function reportMotion(poses, fps, { travels }) {
     slideMillimetres: slide.map((x) => +(10 * x).toFixed(3)),
     contacts: sides.map((s) => runs(s.map((x) => x.touch)).map((r) => r.join("-")).join(" ")),
     flights,
-    fastestTurn: (() => {
-      const best = Math.max(...turns.flat());
-      const frame = turns.findIndex((row) => row.includes(best));
-      return `${best.toFixed(1)} deg per frame, ${names[turns[frame].indexOf(best)]} at ${frame}`;
-    })(),
+    fastestTurn: `${fastest.toFixed(1)} deg per frame, ${names[turns[fastestFrame].indexOf(fastest)]} at ${fastestFrame}`,
     seamTurn: `${Math.max(...step(n - 1, 0)).toFixed(2)} deg`,
     secondDifference: { worst: `${Math.max(...inner).toFixed(2)} cm at ${inner.indexOf(Math.max(...inner))}`, seam: `${Math.max(bend(n - 2), bend(n - 1)).toFixed(2)} cm` },
   };
