@@ -1,7 +1,7 @@
 // Numbered marks as real buttons over the picture: crisp, focusable, each projected anew every frame.
 
 import type { Projected } from "./camera-rig";
-import type { Dot } from "./types";
+import type { Dot, Insets } from "./types";
 
 export type Figure = "model" | "human";
 
@@ -32,6 +32,7 @@ export class DotOverlay {
   readonly element = document.createElement("div");
   /** Model marks first, by number: the order of the Tab key. */
   marks: DotMark[] = [];
+  insets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
   private readonly tag = document.createElement("div");
   private hover: DotHit | null = null;
   private selected: string | null = null;
@@ -136,13 +137,13 @@ export class DotOverlay {
     }
   }
 
-  /** Shows words beside a point, or over it where the right edge is near; null hides them. */
+  /** Shows words beside a point, or over it where a card or the edge is near at the right; null hides them. */
   showTag(words: string | null, at: Projected | null, gap: number): void {
     this.tag.hidden = words === null || at === null;
     if (words === null || at === null) return;
     if (this.tag.textContent !== words) this.tag.textContent = words;
     const { offsetWidth: width, offsetHeight: height } = this.tag;
-    const most = this.element.clientWidth - width - 4;
+    const most = this.element.clientWidth - this.insets.right - width - 4;
     const beside = at.x + gap <= most;
     const x = beside ? at.x + gap : Math.max(4, Math.min(at.x - width / 2, most));
     const y = beside ? at.y - height / 2 : Math.max(4, at.y - gap - height);

@@ -123,6 +123,12 @@ export class Mannequin {
     shadow.end();
   }
 
+  /** How high the pose reaches, metres. */
+  top(): number {
+    const skull = this.head.visible ? this.head.position.y + HEAD.height : 0;
+    return this.plan.joints.reduce((most, j) => Math.max(most, this.pose?.[3 * j + 1] ?? 0), skull);
+  }
+
   /** Where a joint is seen: the head's in the middle of the egg. */
   seen(index: number, out: Vector3): Vector3 {
     return index === this.headJoint && this.head.visible ? out.copy(this.head.position) : this.joint(index, out);

@@ -1,7 +1,7 @@
 // The marks over the stage. Sizes and states of design tokens; each variable has a fallback so that the viewport also runs alone.
 
 const css = `
-:host { display: block; position: absolute; inset: 0; overflow: hidden; touch-action: none; user-select: none; -webkit-user-select: none;
+:host { display: block; position: absolute; inset: 0; isolation: isolate; overflow: hidden; touch-action: none; user-select: none; -webkit-user-select: none;
   --mark: 20px; --mark-human: 15px; --area: 32px; font-family: var(--font, system-ui, sans-serif); }
 canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; outline: none; }
 svg { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; overflow: hidden; }

@@ -9,7 +9,8 @@ import { Lights } from "./lights";
 import type { Quality } from "./quality";
 import type { Theme } from "./theme";
 
-const FIGURE_HEIGHT = 1.75;
+const FIGURE_HEIGHT = 1.7;
+const HEADROOM = 0.06;
 /** A person with swinging arms. */
 export const HUMAN_WIDTH = 1.3;
 const FOLLOW_SECONDS = 0.15;
@@ -24,6 +25,8 @@ class Lane {
   readonly offset = new Vector3();
   /** Where the figure is in its world, x and z. */
   readonly ground = new Vector2();
+  /** How high it reaches, metres. */
+  top = 0;
   /** 0: not on the stage. */
   width = 0;
   x = 0;
@@ -76,6 +79,7 @@ export class Stage {
   setWidth(lane: Lane, width: number): void {
     if (lane.width === 0) lane.ground.set(0, 0);
     lane.width = width;
+    lane.top = 0;
     this.placed = false;
     this.arrange();
   }
@@ -91,8 +95,9 @@ export class Stage {
     const apart = both ? Math.abs(human.ground.x - model.ground.x) : 0;
     const behind = both ? Math.abs(human.ground.y - model.ground.y) : 0;
     const width = (side ? places.width : Math.max(human.width, model.width, 1)) + apart;
-    this.content = { width, height: FIGURE_HEIGHT, depth: 1 + behind };
-    this.lights.fitShadow(width + 0.8, 2.4, 2.2 + behind);
+    const height = Math.max(FIGURE_HEIGHT, model.top, human.top) + HEADROOM;
+    this.content = { width, height, depth: 1 + behind };
+    this.lights.fitShadow(width + 0.8, height + 0.4, 2.2 + behind);
     if (both) this.goal.addVectors(human.ground, model.ground).multiplyScalar(0.5);
     else this.goal.copy(model.width > 0 ? model.ground : human.ground);
     this.renderer.shadowMap.needsUpdate = true;

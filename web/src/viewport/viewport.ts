@@ -191,6 +191,7 @@ export class Viewport implements ViewportApi {
 
   setInsets(insets: Insets): void {
     this.insets = { ...insets };
+    this.overlay.insets = this.insets;
     this.rig.setView({ ...this.size, insets: this.insets });
     this.invalidate();
   }
@@ -303,6 +304,7 @@ export class Viewport implements ViewportApi {
     if (nextPose && this.mannequin) {
       this.mannequin.setPose(nextPose);
       stage.human.ground.set(nextPose[0]!, nextPose[2]!);
+      stage.human.top = this.mannequin.top();
       stage.human.shadow.mesh.visible = true;
       this.mannequin.darken(stage.human.shadow);
     }
@@ -310,7 +312,7 @@ export class Viewport implements ViewportApi {
     if (!nextVertices && !nextPose) return;
     this.occlusionStale = true;
     stage.arrange();
-    this.rig.setContent(stage.content);
+    if (!this.hand.holding) this.rig.setContent(stage.content); // nothing moves under the hand
   }
 
   private resize(): void {
@@ -332,6 +334,7 @@ export class Viewport implements ViewportApi {
   private updateMarks(now: number): void {
     for (const mark of this.overlay.marks) this.rig.project(this.markPosition(mark, this.world), mark.at);
     this.lookForHidden(now);
+    if (this.hovered) this.overlay.setHover(this.overlay.nearest(this.hovered.x, this.hovered.y, DOT_REACH.mouse)); // dots move under it
     this.overlay.place();
     this.lines.setLines(this.pairLines());
     this.updateTag();
@@ -448,6 +451,8 @@ export class Viewport implements ViewportApi {
 
   private press(at: Point, touch: boolean): boolean {
     this.pressed = this.overlay.nearest(at.x, at.y, touch ? DOT_REACH.touch : DOT_REACH.mouse);
+    if (!this.live) this.hovered = null; // until it is up again
+    this.overlay.setHover(null);
     const mark = this.pressed && this.overlay.find(this.pressed.id, this.pressed.on);
     if (mark) this.overlay.press(mark);
     const drags = mark !== null && mark.on === "model" && this.mode === "pose";
@@ -571,12 +576,15 @@ function modelWidth(rest: Float32Array): number {
 }
 
 /** Finds where a model is and darkens the ground under its lowest vertices. */
-function standOn({ ground, shadow }: Stage["model"], vertices: Float32Array): void {
+function standOn(lane: Stage["model"], vertices: Float32Array): void {
+  const { ground, shadow } = lane;
   const count = vertices.length / 3;
   let x = 0;
   let z = 0;
+  lane.top = 0;
   for (let v = 0; v < vertices.length; v += 3) {
     x += vertices[v]!;
+    lane.top = Math.max(lane.top, vertices[v + 1]!);
     z += vertices[v + 2]!;
   }
   ground.set(x / count, z / count);
