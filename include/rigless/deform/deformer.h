@@ -62,7 +62,7 @@ class Deformer {
 
   // Pose state from the present shape. `volume` is lambda_v: 0 rotations only, 1 natural, 3 exaggerated. No allocation.
   void pose(S volume) { pose(PowerLaw<S>{volume}); }
-  template <class Law>
+  template <class Law, std::enable_if_t<std::is_class_v<Law>, int> = 0>
   void pose(const Law& law);
 
   Span<const Vec3<S>> shape() const { return shape_; }
@@ -271,7 +271,7 @@ void Deformer<S, Weights>::step(int iterations) {
 }
 
 template <class S, class Weights>
-template <class Law>
+template <class Law, std::enable_if_t<std::is_class_v<Law>, int>>
 void Deformer<S, Weights>::pose(const Law& law) {
   RIGLESS_ASSERT(discs_.size() > 0);
   std::fill(r_.begin(), r_.end(), Quad{});
