@@ -93,7 +93,9 @@ TEST_CASE("the small ASF/AMC pair, in every guise") {
       {asf, replaced(amc, ":DEGREES\n", "")},
       {asf, replaced(replaced(amc, ":DEGREES", ":RADIANS"), " 90 0\n", " 1.5707963267948966 0\n")},
   };
-  for (const auto& [skeleton, motion] : guises) {
+  for (const auto& guise_texts : guises) {
+    const std::string& skeleton = guise_texts.first;
+    const std::string& motion = guise_texts.second;
     CAPTURE(skeleton);
     CAPTURE(motion);
     Clip<double> guise;

@@ -248,7 +248,8 @@ JointRoles find_joint_roles(const Clip<S>& clip) {
     if (inner[static_cast<std::size_t>(j)] == 0) leaves.push_back(j);
   }
   const auto height = [&](std::int32_t j) { return mean[static_cast<std::size_t>(j)].y(); };
-  std::stable_sort(leaves.begin(), leaves.end(), [&](auto a, auto b) { return height(a) < height(b); });
+  std::sort(leaves.begin(), leaves.end(),
+            [&](auto a, auto b) { return height(a) != height(b) ? height(a) < height(b) : a < b; });
   std::array<std::int32_t, 2> feet = lowest_chains(parents, leaves);
   if (feet[0] < 0) return roles;
   const auto x = [&](std::int32_t j) { return mean[static_cast<std::size_t>(j)].x(); };
