@@ -59,8 +59,8 @@ export async function main(args: readonly string[]): Promise<number> {
       process.stderr.write("rigless: interrupted, nothing was written.\n");
       return 130;
     }
-    if (!isExpected(error)) throw error;
-    process.stderr.write(`rigless: ${error.message}\n`);
+    const message = error instanceof Error ? error.message : String(error);
+    process.stderr.write(`rigless: ${isExpected(error) ? "" : "this should not have happened: "}${message}\n`);
     return error instanceof UsageError ? 2 : 1;
   } finally {
     process.off("SIGINT", onSignal);
@@ -68,7 +68,7 @@ export async function main(args: readonly string[]): Promise<number> {
   }
 }
 
-function isExpected(error: unknown): error is Error {
+function isExpected(error: unknown): boolean {
   return [UsageError, FileError, DocumentError, ModelError, EngineError].some((kind) => error instanceof kind);
 }
 

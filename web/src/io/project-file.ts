@@ -24,7 +24,7 @@ export function projectFileName(document: ProjectDocument): string {
  * A zip of project.json and `files`: the model with its materials and pictures, and the motion.
  * Names keep their folders but never lead upwards. Errors (DocumentError): a file that the project names is not among them.
  */
-export function saveProject(document: ProjectDocument, files: readonly NamedFile[]): Uint8Array {
+export function saveProject(document: ProjectDocument, files: readonly NamedFile[]): Uint8Array<ArrayBuffer> {
   for (const path of [document.mesh.file, ...document.motion.files]) needed(files, path, "", "The project");
   const inside: ProjectDocument = {
     ...document,

@@ -39,7 +39,7 @@ export function keptFrames(frames: number, every: number): number[] {
  * Y up, facing +Z, in the model's own units; travel and turn are in the vertices. Normals have targets too, because a model that
  * turns would be lit from the wrong side without; they double the size: 24 bytes per render vertex and kept frame.
  */
-export async function writeGlb(input: GlbInput): Promise<Uint8Array> {
+export async function writeGlb(input: GlbInput): Promise<Uint8Array<ArrayBuffer>> {
   const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT));
   const buffer = document.createBuffer();
   const name = input.name.trim().replace(/\s+/g, "_") || "dance";

@@ -43,7 +43,7 @@ export function unzip(file: NamedFile): NamedFile[] {
 }
 
 /** The same files give the same bytes. */
-export function zip(files: readonly NamedFile[]): Uint8Array {
+export function zip(files: readonly NamedFile[]): Uint8Array<ArrayBuffer> {
   return zipSync(Object.fromEntries(files.map(({ name, bytes }) => [name, bytes])), { level: 6, mtime: new Date(1980, 0, 1) });
 }
 

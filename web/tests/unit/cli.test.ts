@@ -5,7 +5,7 @@ import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { WebIO } from "@gltf-transform/core";
 import { validateBytes } from "gltf-validator";
-import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
+import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
 import { build } from "vite";
 
 import { version } from "../../package.json";
@@ -17,6 +17,8 @@ import { hasShared, sharedFile } from "../support/files";
 const web = fileURLToPath(new URL("../../", import.meta.url));
 const program = join(web, "bin/rigless.js");
 const cactus = join(web, "assets/cactus/project.json");
+
+vi.setConfig({ testTimeout: 180_000 }); // whole bakes, on a busy machine too
 
 let folder = "";
 
@@ -51,7 +53,7 @@ function copySpot(into: string): void {
 }
 
 describe("rigless bake", () => {
-  it("makes a faultless GLB and a track of the cactus that comes with the page", { timeout: 120_000 }, async () => {
+  it("makes a faultless GLB and a track of the cactus that comes with the page", async () => {
     const run = await rigless("bake", cactus, "--out", "dance.glb", "--track", "track.json");
     expect(run).toMatchObject({ code: 0, stdout: "" });
     const glb = bytesOf("dance.glb");
@@ -82,18 +84,19 @@ describe("rigless bake", () => {
       }
       expect(nearest / height).toBeLessThan(0.02);
     }
+
+    // Fewer frames of the same dance, in the same bytes.
+    const again = await rigless("bake", cactus, "--out", "few.glb", "--track", "again.json", "--every", "10", "--quiet");
+    expect(again).toEqual({ code: 0, stdout: "", stderr: "" });
+    expect(bytesOf("again.json")).toEqual(bytesOf("track.json"));
+    const few = await playedFrame(bytesOf("few.glb"), 3);
+    expect(few.targets).toBe(Math.ceil((track.frames - 1) / 10) + 1);
+    expect(few.positions).toEqual((await playedFrame(glb, 30)).positions);
   });
 
-  it("keeps every K-th frame and the last, and gives the same bytes from the same input", { timeout: 120_000 }, async () => {
-    expect((await rigless("bake", cactus, "--out", "a.glb", "--track", "t.json", "--every", "10", "--quiet"))).toEqual({ code: 0, stdout: "", stderr: "" });
-    expect((await rigless("bake", cactus, "--out", "b.glb", "--every", "10")).code).toBe(0);
-    const frames = trackOf("t.json").frames;
-    expect((await playedFrame(bytesOf("a.glb"), 0)).targets).toBe(Math.floor((frames - 1) / 10) + 1 + Number((frames - 1) % 10 > 0));
-    expect(bytesOf("a.glb")).toEqual(bytesOf("b.glb"));
-  });
 
   it.skipIf(!hasShared)("walks a cow with an ASF and an AMC, from a folder and from a saved file (skipped where ../shared/data is absent)",
-    { timeout: 120_000 }, async () => {
+    async () => {
       copySpot(join(folder, "spot"));
       const run = await rigless("bake", "spot/project.json", "--track", "loose.json", "--out", "spot.glb");
       expect(run.code).toBe(0);
@@ -133,7 +136,7 @@ describe("what cannot be done", () => {
   const hop = readFileSync(join(web, "assets/motions/hop.bvh"));
   const bean = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-  it("names the file and what is wrong with it", { timeout: 60_000 }, async () => {
+  it("names the file and what is wrong with it", async () => {
     expect(await refused({})).toBe("project.json: there is no such file.");
     expect(await refused({ "project.json": "{" })).toMatch(/^project\.json is not whole JSON: /);
     expect(await refused({ "project.json": new Uint8Array([1, 0, 2]) })).toBe("project.json is neither a project.json nor a saved project.");
@@ -162,13 +165,13 @@ describe("what cannot be done", () => {
     expect(await refused({}, "boil")).toBe('"boil" is no command. See rigless --help.');
   });
 
-  it("leaves nothing behind when it is interrupted", { timeout: 60_000 }, async () => {
+  it("leaves nothing behind when it is interrupted", async () => {
     const child: ChildProcess = spawn(process.execPath, [program, "bake", cactus, "--out", "dance.glb"], { cwd: folder });
     let said = "";
     const code = await new Promise<number | null>((resolve) => {
       child.stderr?.on("data", (chunk: Buffer) => {
+        if (said === "") child.kill("SIGINT");
         said += chunk.toString();
-        if (said.includes("Deforming")) child.kill("SIGINT");
       });
       child.on("exit", resolve);
     });

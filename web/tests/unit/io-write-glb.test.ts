@@ -83,7 +83,7 @@ describe("an animated GLB", () => {
 
   it("keeps picture, seams and colours", async () => {
     const model = await dressed();
-    const root = (await new WebIO().readBinary(await writeGlb(inputOf(model, 3)) as Uint8Array<ArrayBuffer>)).getRoot();
+    const root = (await new WebIO().readBinary(await writeGlb(inputOf(model, 3)))).getRoot();
     expect([...(root.listTextures()[0].getImage() ?? [])]).toEqual([...PNG]);
     const primitive = root.listMeshes()[0].listPrimitives()[0];
     expect(primitive.getAttribute("TEXCOORD_0")?.getArray()).toEqual(model.drawn.uvs);
@@ -94,7 +94,7 @@ describe("an animated GLB", () => {
   it("lights each frame by its own normals", async () => {
     const model = await plain();
     const turned = model.positions.map((_, i) => [-model.positions[i], model.positions[i], -model.positions[i]][i % 3]);
-    const root = (await new WebIO().readBinary(await writeGlb(inputOf(model, 0, { frames: [{ positions: turned }] })) as Uint8Array<ArrayBuffer>)).getRoot();
+    const root = (await new WebIO().readBinary(await writeGlb(inputOf(model, 0, { frames: [{ positions: turned }] })))).getRoot();
     const primitive = root.listMeshes()[0].listPrimitives()[0];
     const rest = [...(primitive.getAttribute("NORMAL")?.getArray() ?? [])];
     const delta = [...(primitive.listTargets()[0].getAttribute("NORMAL")?.getArray() ?? [])];
