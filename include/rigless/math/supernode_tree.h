@@ -248,8 +248,8 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
     node.first = start;
     node.width = end - start + 1;
     node.rows = static_cast<std::int32_t>(tree.rows.size());
-    const auto from = columns.row.begin() + columns.begin[static_cast<std::size_t>(end)];
-    const auto to = columns.row.begin() + columns.begin[static_cast<std::size_t>(end) + 1];
+    const auto from = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[static_cast<std::size_t>(end)]);
+    const auto to = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[static_cast<std::size_t>(end) + 1]);
     tree.rows.insert(tree.rows.end(), from, to);
     node.row_count = static_cast<std::int32_t>(to - from);
     node.values = tree.values;
