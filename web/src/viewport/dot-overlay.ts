@@ -57,7 +57,14 @@ export class DotOverlay {
         if (on === "human" && dot.joint < 0) continue;
         const before = old.get(on + dot.id);
         old.delete(on + dot.id);
-        const mark: DotMark = { id: dot.id, on, dot, button: before?.button ?? this.newButton(on), at: before?.at ?? { x: -99, y: -99, depth: 0 }, behind: before?.behind ?? false };
+        const mark: DotMark = {
+          id: dot.id,
+          on,
+          dot,
+          button: before?.button ?? this.newButton(on),
+          at: before?.at ?? { x: -99, y: -99, depth: 0 },
+          behind: before?.behind ?? false,
+        };
         dress(mark, dot.joint < 0 ? null : label(dot.joint));
         marks.push(mark);
       }
@@ -86,6 +93,10 @@ export class DotOverlay {
     this.hover = hit;
     this.refresh();
     return true;
+  }
+
+  isHovering(): boolean {
+    return this.hover !== null;
   }
 
   setHeld(id: string | null): void {

@@ -1,6 +1,9 @@
 // The model: one shape, its clay or its own colours, and the ghost behind it.
 
-import { BackSide, BufferAttribute, Color, DoubleSide, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, NotEqualStencilFunc, ReplaceStencilOp, ShaderMaterial, SRGBColorSpace, Texture, Vector2, type Material } from "three";
+import {
+  BufferAttribute, DoubleSide, Group, Mesh, MeshStandardMaterial, RepeatWrapping, ReplaceStencilOp, SRGBColorSpace, Texture,
+} from "three";
+import { Ghost } from "./ghost";
 import { buildTopology, type Topology } from "./normals";
 import { Shape } from "./shape";
 import type { Theme } from "./theme";
@@ -86,65 +89,6 @@ export class ModelFigure {
   }
 }
 
-/** A flat blue pencil shape, drawn only where no figure is, with a dashed edge. */
-class Ghost {
-  readonly group = new Group();
-  private readonly fill = new MeshBasicMaterial({ transparent: true, opacity: 0.85 });
-  private readonly edge = new ShaderMaterial({
-    transparent: true,
-    side: BackSide,
-    uniforms: { color: { value: new Color() }, view: { value: new Vector2(1, 1) } },
-    vertexShader: `
-      uniform vec2 view;
-      void main() {
-        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-        vec2 out_ = (projectionMatrix * modelViewMatrix * vec4(normal, 0.0)).xy;
-        gl_Position.xy += normalize(out_ * view + 1e-6) * 3.0 / view * gl_Position.w;
-      }`,
-    fragmentShader: `
-      uniform vec3 color;
-      void main() {
-        if (fract(dot(gl_FragCoord.xy, vec2(0.052, 0.099))) > 0.56) discard;
-        gl_FragColor = vec4(color, 1.0);
-        #include <colorspace_fragment>
-      }`,
-  });
-
-  constructor(readonly shape: Shape) {
-    const edge = new Mesh(shape.geometry, this.edge);
-    const fill = new Mesh(shape.geometry, this.fill);
-    const materials: Material[] = [this.edge, this.fill];
-    for (const material of materials) {
-      material.depthTest = material.depthWrite = material.toneMapped = false;
-      material.stencilWrite = true;
-      material.stencilRef = 1;
-      material.stencilFunc = NotEqualStencilFunc;
-    }
-    // The fill marks its own pixels first (once each, it is see-through), then the edge takes what is left around it.
-    this.fill.stencilZPass = ReplaceStencilOp;
-    this.fill.side = DoubleSide;
-    fill.renderOrder = -5;
-    edge.renderOrder = -4;
-    fill.frustumCulled = edge.frustumCulled = false;
-    this.group.add(fill, edge);
-  }
-
-  setTheme(theme: Theme): void {
-    this.fill.color.copy(theme.pencilSoft);
-    this.edge.uniforms["color"]!.value.copy(theme.pencil);
-  }
-
-  setViewSize(width: number, height: number): void {
-    this.edge.uniforms["view"]!.value.set(width, height);
-  }
-
-  dispose(): void {
-    this.shape.dispose();
-    this.fill.dispose();
-    this.edge.dispose();
-  }
-}
-
 function restVertices(model: DrawnModel): Float32Array {
   const count = model.toVertex.reduce((most, v) => Math.max(most, v), -1) + 1;
   const rest = new Float32Array(3 * count);
@@ -164,7 +108,7 @@ function pictureTexture(picture: ImageBitmap): Texture {
   texture.colorSpace = SRGBColorSpace;
   texture.flipY = false;
   texture.anisotropy = 4;
-  texture.wrapS = texture.wrapT = 1000; // RepeatWrapping, glTF's default
+  texture.wrapS = texture.wrapT = RepeatWrapping; // glTF's default
   texture.needsUpdate = true;
   return texture;
 }

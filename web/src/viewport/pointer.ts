@@ -119,7 +119,8 @@ export class Pointer {
       this.release();
       this.handler.dragEnd(true);
     }
-    const typing = event.composedPath().some((node) => node instanceof Element && node.matches("input, textarea, select, button, [contenteditable]"));
+    const keeps = "input, textarea, select, button, [contenteditable]"; // what Space means something else to
+    const typing = event.composedPath().some((node) => node instanceof Element && node.matches(keeps));
     if (event.code === "Space" && (event.type === "keyup" || !typing)) this.setSpace(event.type === "keydown");
   }
 

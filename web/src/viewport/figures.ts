@@ -1,0 +1,155 @@
+// Who stands on the stage: the model, its ghost and the human, each drawn from the newest positions it was given.
+
+import type { Vector3 } from "three";
+import { jointLabel } from "./joint-names";
+import { Mannequin } from "./mannequin";
+import { ModelFigure } from "./model-figure";
+import { HUMAN_WIDTH, type Stage } from "./stage";
+import { SurfacePicker } from "./surface-picker";
+import type { Theme } from "./theme";
+import type { DrawnHuman, DrawnModel } from "./types";
+
+export class Figures {
+  model: ModelFigure | null = null;
+  picker: SurfacePicker | null = null;
+  mannequin: Mannequin | null = null;
+  /** V x 3 world, or null. */
+  ghost: Float32Array | null = null;
+  private human: DrawnHuman | null = null;
+  private nextVertices: Float32Array | null = null;
+  private nextPose: Float32Array | null = null;
+  private viewSize: [number, number] = [1, 1];
+
+  constructor(private readonly stage: Stage, private theme: Theme) {}
+
+  setModel(model: DrawnModel | null): void {
+    const { model: lane } = this.stage;
+    if (this.model) lane.group.remove(this.model.group);
+    this.model?.dispose();
+    this.picker?.dispose();
+    this.model = model && new ModelFigure(model);
+    this.picker = this.model && model && new SurfacePicker(this.model.rest, model.faces);
+    this.nextVertices = this.model?.rest ?? null;
+    this.ghost = null;
+    if (this.model) lane.group.add(this.model.group);
+    lane.shadow.mesh.visible = this.model !== null;
+    this.stage.setWidth(lane, this.model ? modelWidth(this.model.rest) : 0);
+  }
+
+  setHuman(human: DrawnHuman | null): void {
+    const { human: lane } = this.stage;
+    if (this.mannequin) lane.group.remove(this.mannequin.group);
+    this.mannequin?.dispose();
+    this.human = human;
+    this.mannequin = human && new Mannequin(human);
+    this.nextPose = null;
+    if (this.mannequin) lane.group.add(this.mannequin.group);
+    lane.shadow.mesh.visible = false; // until there is a pose
+    this.stage.setWidth(lane, human ? HUMAN_WIDTH : 0);
+    this.dressHuman();
+  }
+
+  setVertices(vertices: Float32Array): void {
+    this.nextVertices = vertices;
+  }
+
+  setPose(pose: Float32Array): void {
+    this.nextPose = pose;
+  }
+
+  setGhost(vertices: Float32Array | null): void {
+    this.ghost = vertices;
+    this.model?.setGhost(vertices, this.theme);
+    this.model?.setViewSize(...this.viewSize);
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.model?.setTheme(theme);
+    this.dressHuman();
+  }
+
+  setViewSize(width: number, height: number): void {
+    this.viewSize = [width, height];
+    this.model?.setViewSize(width, height);
+  }
+
+  /** Where both stand on one spot, the human shows through the model. */
+  dressHuman(): void {
+    this.mannequin?.setSeenThrough(this.stage.overlay, this.theme.stage);
+  }
+
+  /** Draws what arrived since the last frame and says what it was. */
+  take(): { surface: boolean; pose: boolean } {
+    const { model, mannequin, nextVertices, nextPose, stage } = this;
+    const surface = model !== null && nextVertices !== null && nextVertices.length >= model.rest.length;
+    const pose = mannequin !== null && nextPose !== null;
+    if (surface) {
+      model.setVertices(nextVertices);
+      this.picker?.setVertices(nextVertices);
+      standOn(stage.model, nextVertices);
+    }
+    if (pose) {
+      mannequin.setPose(nextPose);
+      stage.human.ground.set(nextPose[0]!, nextPose[2]!);
+      stage.human.top = mannequin.top();
+      stage.human.shadow.mesh.visible = true;
+      mannequin.darken(stage.human.shadow);
+    }
+    this.nextVertices = this.nextPose = null;
+    return { surface, pose };
+  }
+
+  /** Model world. */
+  vertex(vertex: number, out: Vector3): Vector3 {
+    return this.model ? out.fromArray(this.model.vertices, 3 * vertex) : out.set(0, 0, 0);
+  }
+
+  /** Scene. */
+  joint(joint: number, out: Vector3): Vector3 {
+    if (!this.mannequin?.pose) return out.set(0, 0, 1e4); // behind the camera: not shown
+    return this.mannequin.seen(joint, out).add(this.stage.human.offset);
+  }
+
+  jointLabel(joint: number): string {
+    return jointLabel(this.human?.names[joint] ?? "joint");
+  }
+
+  dispose(): void {
+    this.model?.dispose();
+    this.picker?.dispose();
+    this.mannequin?.dispose();
+  }
+}
+
+/** Wide enough for the model to turn a little. */
+function modelWidth(rest: Float32Array): number {
+  const extent = (axis: number): number => {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = axis; i < rest.length; i += 3) {
+      low = Math.min(low, rest[i]!);
+      high = Math.max(high, rest[i]!);
+    }
+    return Math.max(0, high - low);
+  };
+  return Math.max(0.6, extent(0), 0.8 * extent(2));
+}
+
+/** Finds where a model is and darkens the ground under its lowest vertices. */
+function standOn(lane: Stage["model"], vertices: Float32Array): void {
+  const { ground, shadow } = lane;
+  const count = vertices.length / 3;
+  let x = 0;
+  let z = 0;
+  lane.top = 0;
+  for (let v = 0; v < vertices.length; v += 3) {
+    x += vertices[v]!;
+    lane.top = Math.max(lane.top, vertices[v + 1]!);
+    z += vertices[v + 2]!;
+  }
+  ground.set(x / count, z / count);
+  shadow.begin(ground.x, ground.y);
+  for (let v = 0; v < vertices.length; v += 3) shadow.add(vertices[v]!, vertices[v + 1]!, vertices[v + 2]!, 0);
+  shadow.end();
+}

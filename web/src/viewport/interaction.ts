@@ -1,0 +1,131 @@
+// What pointer and keys do to the marks: hover, press, drag, pick, nudge.
+
+import { Vector3 } from "three";
+import type { Emitter } from "../sync/emitter";
+import type { Annotations } from "./annotations";
+import type { Point } from "./arc";
+import type { CameraRig } from "./camera-rig";
+import type { DotHand } from "./dot-hand";
+import type { DotHit, DotMark } from "./dot-overlay";
+import { Pointer } from "./pointer";
+import type { ViewportEvents } from "./types";
+
+export class Interaction {
+  private readonly pointer: Pointer;
+  private readonly abort = new AbortController();
+  private pressed: DotHit | null = null;
+  private readonly place = new Vector3();
+
+  /** `refresh`: the marks changed. */
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly rig: CameraRig,
+    private readonly hand: DotHand,
+    private readonly marks: Annotations,
+    private readonly events: Emitter<ViewportEvents>,
+    private readonly refresh: () => void,
+  ) {
+    this.pointer = this.listenToPointer();
+    this.listenToMarks();
+  }
+
+  dispose(): void {
+    this.abort.abort();
+    this.pointer.dispose();
+  }
+
+  private listenToPointer(): Pointer {
+    return new Pointer(this.element, {
+      press: (at, touch) => this.press(at, touch),
+      dragStart: () => this.startDrag(),
+      drag: (dx, dy, shift) => {
+        this.hand.drag(dx, dy, shift);
+        this.refresh();
+      },
+      dragEnd: (cancelled) => this.endDrag(cancelled),
+      click: (at, touch) => this.click(at, touch),
+      hover: (at) => this.hover(at),
+      setPanning: (on) => this.rig.setPanning(on),
+      setCamera: (enabled) => {
+        this.rig.controls.enabled = enabled;
+        if (enabled) this.element.style.cursor = "";
+      },
+    });
+  }
+
+  private press(at: Point, touch: boolean): boolean {
+    const { marks } = this;
+    this.pressed = marks.dotAt(at, touch);
+    if (!marks.live) marks.pointer = null; // until it is up again
+    marks.overlay.setHover(null);
+    const mark = this.pressed && marks.overlay.find(this.pressed.id, this.pressed.on);
+    if (mark) marks.overlay.press(mark);
+    const drags = mark !== null && mark.on === "model" && marks.mode === "pose";
+    this.element.style.cursor = drags ? "grabbing" : "";
+    this.refresh();
+    return drags;
+  }
+
+  private startDrag(): void {
+    const mark = this.pressed && this.marks.overlay.find(this.pressed.id, "model");
+    if (!mark) return;
+    this.hand.grab(mark.id, this.marks.dotPosition(mark.dot, this.place));
+    this.marks.overlay.setHeld(mark.id);
+  }
+
+  private endDrag(cancelled: boolean): void {
+    this.hand.letGo(cancelled);
+    this.marks.overlay.setHeld(null);
+    this.marks.note = "";
+    this.refresh();
+  }
+
+  private click(at: Point, touch: boolean): void {
+    const hit = this.marks.dotAt(at, touch);
+    if (hit) return this.events.emit("dot-pick", hit);
+    if (this.marks.mode === "points") {
+      const joint = this.marks.jointAt(at, touch);
+      if (joint >= 0) return this.events.emit("joint-pick", { joint });
+      const vertex = this.marks.vertexAt(at);
+      if (vertex >= 0) return this.events.emit("surface-pick", { vertex });
+    }
+    this.events.emit("empty-pick", {});
+  }
+
+  private hover(at: Point | null): void {
+    const { marks } = this;
+    marks.pointer = at;
+    const hit = at && marks.dotAt(at, false);
+    const changed = marks.overlay.setHover(hit);
+    this.element.style.cursor = !hit ? "" : hit.on === "model" && marks.mode === "pose" ? "grab" : "pointer";
+    if (changed || marks.live || marks.mode === "points") this.refresh();
+  }
+
+  private listenToMarks(): void {
+    const { signal } = this.abort;
+    const { overlay } = this.marks;
+    const owner = (event: Event): DotMark | null => overlay.owner(event.target);
+    overlay.element.addEventListener("keydown", (event) => {
+      const mark = owner(event);
+      if (!mark || mark.on !== "model" || this.marks.mode !== "pose") return;
+      if (!this.hand.keyDown(event, mark.id, this.marks.dotPosition(mark.dot, this.place))) return;
+      event.preventDefault();
+      event.stopPropagation();
+      overlay.setHeld(this.hand.holding ? mark.id : null);
+      this.refresh();
+    }, { signal });
+    const end = (stop: () => void): void => {
+      stop();
+      if (!this.hand.holding) overlay.setHeld(null);
+      this.refresh();
+    };
+    overlay.element.addEventListener("keyup", (event) => end(() => this.hand.keyUp(event.key)), { signal });
+    overlay.element.addEventListener("focusout", () => end(() => this.hand.endKeys()), { signal });
+    overlay.element.addEventListener("focusin", () => this.refresh(), { signal });
+    // Enter, Space and assistive technology; a pointer's click comes through the pointer.
+    overlay.element.addEventListener("click", (event) => {
+      const mark = owner(event);
+      if (mark && event.detail === 0) this.events.emit("dot-pick", { id: mark.id, on: mark.on });
+    }, { signal });
+  }
+}
