@@ -81,8 +81,8 @@ export class Player extends Emitter<PlayerEvents> {
   private readonly tick = (now: number): void => {
     if (!this.playing) return;
     const before = this.frame;
-    // A tab that slept must not jump through the whole dance.
-    this.time += (Math.min(100, now - this.last) / 1000) * this.speed;
+    // A tab that slept must not jump through the whole dance; a frame's time may lie before the click that began it.
+    this.time += (Math.min(100, Math.max(0, now - this.last)) / 1000) * this.speed;
     this.last = now;
     const length = this.frames / FPS;
     if (this.time >= length) {
