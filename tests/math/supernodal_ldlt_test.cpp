@@ -38,7 +38,8 @@ struct System {
         if (x + 1 < n && y + 1 < n) link(y * n + x, y * n + n + x + 1);
       }
     }
-    for (int k = 0; k < n; ++k) link(static_cast<int>(random() % unsigned(n * n)), static_cast<int>(random() % unsigned(n * n)));
+    for (int k = 0; k < n; ++k)
+      link(static_cast<int>(random() % unsigned(n * n)), static_cast<int>(random() % unsigned(n * n)));
     first.push_back(0);
     for (auto& list : lists) {
       std::sort(list.begin(), list.end());
@@ -123,7 +124,8 @@ TEST_CASE("agrees with the simplicial factor, and stores little more") {
   for (std::size_t i = 0; i < system.held.size(); ++i) {
     t.emplace_back(static_cast<int>(i), static_cast<int>(i), system.diagonal[i]);
     for (auto k = static_cast<std::size_t>(system.first[i]); k < static_cast<std::size_t>(system.first[i + 1]); ++k) {
-      if (system.neighbor[k] < static_cast<int>(i)) t.emplace_back(static_cast<int>(i), system.neighbor[k], system.coupling[k]);
+      if (system.neighbor[k] < static_cast<int>(i))
+        t.emplace_back(static_cast<int>(i), system.neighbor[k], system.coupling[k]);
     }
   }
   SparseLdlt<double>::Matrix A(1600, 1600);
@@ -138,7 +140,8 @@ TEST_CASE("agrees with the simplicial factor, and stores little more") {
   }
   simplicial.solve(y);
   for (std::size_t i = 0; i < 1600; ++i) {
-    for (int axis = 0; axis < 3; ++axis) CHECK(x[static_cast<std::size_t>(ldlt.place()[i])][axis] == doctest::Approx(y[i][axis]));
+    for (int axis = 0; axis < 3; ++axis)
+      CHECK(x[static_cast<std::size_t>(ldlt.place()[i])][axis] == doctest::Approx(y[i][axis]));
   }
   CHECK(ldlt.stored() < 2 * (simplicial.nonzeros() + 1600));  // padding zeros and square blocks included
 }

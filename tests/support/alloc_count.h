@@ -14,7 +14,6 @@ inline std::int64_t allocation_count = 0;
 // Out of line, or the compiler sees a free() of what it takes for a new.
 #define RIGLESS_KEEP __attribute__((noinline))
 
-
 RIGLESS_KEEP void* operator new(std::size_t size) {
   ++rigless::test::allocation_count;
   if (void* p = std::malloc(size)) return p;
@@ -26,6 +25,11 @@ RIGLESS_KEEP void* operator new(std::size_t size, std::align_val_t align) {
   if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
   std::abort();
 }
+RIGLESS_KEEP void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++rigless::test::allocation_count;
+  return std::malloc(size);
+}
+RIGLESS_KEEP void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
 RIGLESS_KEEP void operator delete(void* p) noexcept { std::free(p); }
 RIGLESS_KEEP void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 RIGLESS_KEEP void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }

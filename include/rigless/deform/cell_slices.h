@@ -1,4 +1,5 @@
-// The cells once more, laid out for the machine: in elimination order, and as many side by side as a register has lanes.
+// The cells once more, laid out for the machine: in elimination order, and as many side by side as a register has
+// lanes.
 #pragma once
 
 #include "rigless/deform/cells.h"
@@ -24,13 +25,13 @@ struct CellSlices {
     L scale = {};               // s of the last step
     L inverse_size = {};        // 1 / sum w |e|^2
     L size = {};
-    L idle = {};                // 1 where there is nothing to fit
-    L moment[6] = {};           // sum w e e^T: xx, xy, xz, yy, yz, zz
+    L idle = {};       // 1 where there is nothing to fit
+    L moment[6] = {};  // sum w e e^T: xx, xy, xz, yy, yz, zz
   };
 
-  std::vector<Cell> cell;             // slices
-  std::vector<std::int32_t> place;    // slices x width: row of x and r
-  std::vector<std::int32_t> first;    // slices + 1: into slot
+  std::vector<Cell> cell;           // slices
+  std::vector<std::int32_t> place;  // slices x width: row of x and r
+  std::vector<std::int32_t> first;  // slices + 1: into slot
   std::vector<Slot> slot;
   std::vector<std::int32_t> other;    // slots x width: row of the neighbour
   std::vector<std::int32_t> lane_of;  // n: place -> slice * width + lane
@@ -94,7 +95,8 @@ CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<std::int32_t>
     for (std::size_t k = 0; k < width; ++k) {
       const int lane = static_cast<int>(k);
       const bool padding = b + k >= n;
-      const std::int32_t row = padding ? static_cast<std::int32_t>(n) : place_of[static_cast<std::size_t>(order[b + k])];
+      const std::int32_t row =
+          padding ? static_cast<std::int32_t>(n) : place_of[static_cast<std::size_t>(order[b + k])];
       out.place.push_back(row);
       const S size = padding ? S(0) : cells.weighted_size[static_cast<std::size_t>(order[b + k])];
       cell.size[lane] = size;
@@ -111,7 +113,8 @@ CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<std::int32_t>
           slot.wz[lane] = w * e.z();
           slot.w[lane] = w;
           out.other[s * width + k] = place_of[j];
-          const S moment[6] = {e.x() * e.x(), e.x() * e.y(), e.x() * e.z(), e.y() * e.y(), e.y() * e.z(), e.z() * e.z()};
+          const S moment[6] = {e.x() * e.x(), e.x() * e.y(), e.x() * e.z(),
+                               e.y() * e.y(), e.y() * e.z(), e.z() * e.z()};
           for (int a = 0; a < 6; ++a) cell.moment[a][lane] += w * moment[a];
           ++s;
         });

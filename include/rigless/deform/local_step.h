@@ -1,6 +1,6 @@
-// The local step: one pass over the cells fits rotation and scale to the present surface and spreads the residual of the
-// global system, r_i = sum_j w_ij ((M_i + M_j) / 2 e_ij - e'_ij), so that neither covariances nor transforms are stored.
-// Solving for the update from that residual keeps single precision at 3e-8 of the diagonal.
+// The local step: one pass over the cells fits rotation and scale to the present surface and spreads the residual of
+// the global system, r_i = sum_j w_ij ((M_i + M_j) / 2 e_ij - e'_ij), so that neither covariances nor transforms are
+// stored. Solving for the update from that residual keeps single precision at 3e-8 of the diagonal.
 #pragma once
 
 #include "rigless/deform/cell_slices.h"
@@ -98,9 +98,9 @@ inline PointLanes<S> top_eigenvector(const simd::Lanes<S> (&d)[6]) {
   const auto any = trace > zero;
   const L unit = S(1) / simd::select(any, trace, simd::splat<L>(S(1)));
   const L a = d[0] * unit, b = d[1] * unit, c = d[2] * unit, e = d[3] * unit, f = d[4] * unit, g = d[5] * unit;
-  const L m2 = a * e + a * g + e * g - b * b - c * c - f * f;                            // second invariant, trace is 1
-  const L m3 = a * (e * g - f * f) - b * (b * g - c * f) + c * (b * f - c * e);          // determinant
-  L t = simd::splat<L>(S(1));                                                            // t^3 - t^2 + m2 t - m3 = 0
+  const L m2 = a * e + a * g + e * g - b * b - c * c - f * f;                    // second invariant, trace is 1
+  const L m3 = a * (e * g - f * f) - b * (b * g - c * f) + c * (b * f - c * e);  // determinant
+  L t = simd::splat<L>(S(1));                                                    // t^3 - t^2 + m2 t - m3 = 0
   for (int it = 0; it < (sizeof(S) == 4 ? 8 : 40); ++it) {
     const L p = ((t - S(1)) * t + m2) * t - m3;
     const L dp = (S(3) * t - S(2)) * t + m2;
@@ -157,10 +157,11 @@ inline MatrixLanes<S> volume_transforms(const CellSlices<S>& slices, std::size_t
   // u = R^T p, the axis at rest; s = (u^T C p) / (u^T (sum w e e^T) u)
   const L ux = R.m[0] * p.x + R.m[3] * p.y + R.m[6] * p.z, uy = R.m[1] * p.x + R.m[4] * p.y + R.m[7] * p.z,
           uz = R.m[2] * p.x + R.m[5] * p.y + R.m[8] * p.z;
-  const L above = ux * (C.m[0] * p.x + C.m[1] * p.y + C.m[2] * p.z) + uy * (C.m[3] * p.x + C.m[4] * p.y + C.m[5] * p.z) +
-                  uz * (C.m[6] * p.x + C.m[7] * p.y + C.m[8] * p.z);
+  const L above = ux * (C.m[0] * p.x + C.m[1] * p.y + C.m[2] * p.z) +
+                  uy * (C.m[3] * p.x + C.m[4] * p.y + C.m[5] * p.z) + uz * (C.m[6] * p.x + C.m[7] * p.y + C.m[8] * p.z);
   const auto& m = cell.moment;
-  const L below = ux * (m[0] * ux + S(2) * (m[1] * uy + m[2] * uz)) + uy * (m[3] * uy + S(2) * m[4] * uz) + m[5] * uz * uz;
+  const L below =
+      ux * (m[0] * ux + S(2) * (m[1] * uy + m[2] * uz)) + uy * (m[3] * uy + S(2) * m[4] * uz) + m[5] * uz * uz;
   const L moved = D[0] + D[3] + D[5];
   L across = simd::splat<L>(S(1));  // s'^-1/2
   for (int k = 0; k < width; ++k) {
@@ -188,13 +189,28 @@ inline void scale_matrix(MatrixLanes<S>& M, simd::Lanes<S> s) {
   for (auto& m : M.m) m *= s;
 }
 
+// The energy of one slice with transform s R: every edge from this end, plus the elastic term.
+template <class S>
+inline double slice_energy(const typename CellSlices<S>::Cell& cell, simd::Lanes<S> edges, simd::Lanes<S> scale,
+                           const ElasticScale<S>& elastic) {
+  double energy = 0;
+  for (int k = 0; k < simd::width<S>; ++k) {
+    energy += static_cast<double>(edges[k]);
+    if (std::isfinite(elastic.mu)) {
+      energy += static_cast<double>(elastic.mu * cell.size[k] * (scale[k] - S(1)) * (scale[k] - S(1)));
+    }
+  }
+  return energy;
+}
+
 }  // namespace detail
 
-// Fits R and s of every cell to the surface x (n + 1 rows) and adds the residual to r (n + 1 rows, zero before).
-// Source: thesis Eq 3.3-3.7.
-template <class S>
-void shape_step(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticScale<S>& elastic, simd::Quad<S>* r) {
+// Fits R and s of every cell to the surface x (n + 1 rows) and adds the residual to r (n + 1 rows, zero before). Gives
+// the energy at x, if asked; every edge counts from both its ends. Source: thesis Eq 3.3-3.7.
+template <bool with_energy, class S>
+double shape_step(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticScale<S>& elastic, simd::Quad<S>* r) {
   const S give = S(1) / (S(1) + elastic.mu);
+  double energy = 0;
   for (std::size_t s = 0; s < slices.size(); ++s) {
     const MatrixLanes<S> C = detail::slice_covariance(slices, s, x);
     auto& cell = slices.cell[s];
@@ -202,8 +218,10 @@ void shape_step(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticScal
     MatrixLanes<S> M = rotation_matrix(cell.q);
     cell.scale = S(1) + (detail::trace_of_product(M, C) * cell.inverse_size - S(1)) * give;
     detail::scale_matrix<S>(M, cell.scale);
-    detail::spread_residual<S, false>(slices, s, M, r);
+    const simd::Lanes<S> edges = detail::spread_residual<S, with_energy>(slices, s, M, r);
+    if constexpr (with_energy) energy += detail::slice_energy<S>(cell, edges, cell.scale, elastic);
   }
+  return energy;
 }
 
 // The same for the pose state; rotations are refitted but not kept. Source: thesis Eq 3.7-3.11.
@@ -231,13 +249,8 @@ double shape_energy(CellSlices<S>& slices, const simd::Quad<S>* x, const Elastic
     MatrixLanes<S> M = rotation_matrix(q);
     const simd::Lanes<S> scale = S(1) + (detail::trace_of_product(M, C) * cell.inverse_size - S(1)) * give;
     detail::scale_matrix<S>(M, scale);
-    const simd::Lanes<S> e = detail::spread_residual<S, true>(slices, s, M, nullptr);
-    for (int k = 0; k < simd::width<S>; ++k) {
-      energy += static_cast<double>(e[k]);
-      if (std::isfinite(elastic.mu)) {
-        energy += static_cast<double>(elastic.mu * cell.size[k] * (scale[k] - S(1)) * (scale[k] - S(1)));
-      }
-    }
+    const simd::Lanes<S> edges = detail::spread_residual<S, true>(slices, s, M, nullptr);
+    energy += detail::slice_energy<S>(cell, edges, scale, elastic);
   }
   return energy;
 }

@@ -1,5 +1,5 @@
-// How much a stretched cell is squeezed across, in the pose state: where the shape state stretched it along one axis, its
-// volume is kept by the two others.
+// How much a stretched cell is squeezed across, in the pose state: where the shape state stretched it along one axis,
+// its volume is kept by the two others.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace rigless {
 
-// s' = s^lambda_v: equal to the thesis' Eq 3.12 to first order, and positive for every squash, where the linear law turns
-// negative below s = 1 - 1 / lambda_v.
+// s' = s^lambda_v: equal to the thesis' Eq 3.12 to first order, and positive for every squash, where the linear law
+// turns negative below s = 1 - 1 / lambda_v.
 template <class S>
 struct PowerLaw {
   S lambda_v = S(1);

@@ -81,12 +81,13 @@ void set_rotation(const Mat3<S>& R, int lane, QuaternionLanes<S>& q) {
 
 }  // namespace detail
 
-// Turns each q to the rotation that maximises tr(R C) in its lane, starting from q. One step as a rule; lanes that Newton
-// cannot bring there (rank <= 1, a jump) take the singular value decomposition. No allocation.
-// Source: thesis Eq 3.4; Newton on SO(3) after Taylor and Kriegman 1994, "Minimization on the Lie group SO(3)".
+// Turns each q to the rotation that maximises tr(R C) in its lane, starting from q. One step as a rule; lanes that
+// Newton cannot bring there (rank <= 1, a jump) take the singular value decomposition. No allocation. Source: thesis
+// Eq 3.4; Newton on SO(3) after Taylor and Kriegman 1994, "Minimization on the Lie group SO(3)".
 template <class S>
 inline void fit_rotations(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
-  // squared step after which the next one would be below what S can show, or below what a later iteration repairs anyway
+  // squared step after which the next one would be below what S can show, or below what a later iteration repairs
+  // anyway
   constexpr S settled = sizeof(S) == 4 ? S(1e-3) : S(1e-10);
   constexpr int lanes = simd::width<S>;
   simd::Lanes<S> step2 = {};

@@ -86,7 +86,8 @@ template <class S, int N>
 inline void scatter_add(Quad<S>* rows, const std::int32_t* index, Vector<S, N> x, Vector<S, N> y, Vector<S, N> z) {
   if constexpr (N == 4) {
     const Quad<S> zero = {};
-    const Quad<S> xy_low = __builtin_shufflevector(x, y, 0, 4, 1, 5), xy_high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+    const Quad<S> xy_low = __builtin_shufflevector(x, y, 0, 4, 1, 5),
+                  xy_high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
     const Quad<S> z_low = __builtin_shufflevector(z, zero, 0, 4, 1, 5),
                   z_high = __builtin_shufflevector(z, zero, 2, 6, 3, 7);
     rows[index[0]] += __builtin_shufflevector(xy_low, z_low, 0, 1, 4, 5);

@@ -18,8 +18,8 @@ class SupernodalLdlt {
  public:
   using Quad = simd::Quad<S>;
 
-  // Orders and analyses the pattern of a symmetric graph: neighbours of i are neighbor[first[i]] .. first[i + 1] - 1, both
-  // directions listed, no diagonal. Allocates all that later calls need.
+  // Orders and analyses the pattern of a symmetric graph: neighbours of i are neighbor[first[i]] .. first[i + 1] - 1,
+  // both directions listed, no diagonal. Allocates all that later calls need.
   void analyze(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
 
   // Factors A, with A_ii = diagonal[i] (n) and A_ij = coupling[slot of i -> j]; both in the graph's own numbering. On
@@ -49,12 +49,12 @@ class SupernodalLdlt {
 
   SupernodeTree tree_;
   std::vector<std::int32_t> first_, neighbor_;  // the graph
-  std::vector<S> values_;     // per supernode: w + m rows of w numbers, row-major
-  std::vector<S> inverse_d_;  // n
-  std::vector<std::int32_t> local_row_;  // n: place -> row of the supernode at hand
-  std::vector<S> scaled_;     // scratch: D L^T of one segment
-  std::vector<S> update_;     // scratch: its product with the rows below
-  std::vector<char> dirty_;   // per supernode
+  std::vector<S> values_;                       // per supernode: w + m rows of w numbers, row-major
+  std::vector<S> inverse_d_;                    // n
+  std::vector<std::int32_t> local_row_;         // n: place -> row of the supernode at hand
+  std::vector<S> scaled_;                       // scratch: D L^T of one segment
+  std::vector<S> update_;                       // scratch: its product with the rows below
+  std::vector<char> dirty_;                     // per supernode
 };
 
 template <class S>
@@ -226,7 +226,8 @@ inline void back_columns(const S* L, std::size_t w, std::size_t m, const std::in
 
 // x(row) -= sum_k L(row, k) y(k) over a supernode of N columns.
 template <class S, std::size_t N>
-inline void forward_rows(const S* L, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y, simd::Quad<S>* x) {
+inline void forward_rows(const S* L, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y,
+                         simd::Quad<S>* x) {
   simd::Quad<S> held[N];
   for (std::size_t k = 0; k < N; ++k) held[k] = y[k];
   for (std::size_t r = 0; r < m; ++r, L += N) {
@@ -274,11 +275,20 @@ void SupernodalLdlt<S>::solve(Quad* x) const {
     }
     const S* below = L + w * w;
     switch (w) {
-      case 1: detail::forward_rows<S, 1>(below, m, rows, y, x); break;
-      case 2: detail::forward_rows<S, 2>(below, m, rows, y, x); break;
-      case 3: detail::forward_rows<S, 3>(below, m, rows, y, x); break;
-      case 4: detail::forward_rows<S, 4>(below, m, rows, y, x); break;
-      default: detail::forward_any<S>(below, w, m, rows, y, x);
+      case 1:
+        detail::forward_rows<S, 1>(below, m, rows, y, x);
+        break;
+      case 2:
+        detail::forward_rows<S, 2>(below, m, rows, y, x);
+        break;
+      case 3:
+        detail::forward_rows<S, 3>(below, m, rows, y, x);
+        break;
+      case 4:
+        detail::forward_rows<S, 4>(below, m, rows, y, x);
+        break;
+      default:
+        detail::forward_any<S>(below, w, m, rows, y, x);
     }
   }
   for (auto it = tree_.nodes.rbegin(); it != tree_.nodes.rend(); ++it) {
@@ -293,14 +303,29 @@ void SupernodalLdlt<S>::solve(Quad* x) const {
     std::size_t k = 0;
     for (; k + 8 <= w; k += 8) detail::back_columns<S, 8>(below + k, w, m, rows, x, y + k);
     switch (w - k) {
-      case 1: detail::back_columns<S, 1>(below + k, w, m, rows, x, y + k); break;
-      case 2: detail::back_columns<S, 2>(below + k, w, m, rows, x, y + k); break;
-      case 3: detail::back_columns<S, 3>(below + k, w, m, rows, x, y + k); break;
-      case 4: detail::back_columns<S, 4>(below + k, w, m, rows, x, y + k); break;
-      case 5: detail::back_columns<S, 5>(below + k, w, m, rows, x, y + k); break;
-      case 6: detail::back_columns<S, 6>(below + k, w, m, rows, x, y + k); break;
-      case 7: detail::back_columns<S, 7>(below + k, w, m, rows, x, y + k); break;
-      default: break;
+      case 1:
+        detail::back_columns<S, 1>(below + k, w, m, rows, x, y + k);
+        break;
+      case 2:
+        detail::back_columns<S, 2>(below + k, w, m, rows, x, y + k);
+        break;
+      case 3:
+        detail::back_columns<S, 3>(below + k, w, m, rows, x, y + k);
+        break;
+      case 4:
+        detail::back_columns<S, 4>(below + k, w, m, rows, x, y + k);
+        break;
+      case 5:
+        detail::back_columns<S, 5>(below + k, w, m, rows, x, y + k);
+        break;
+      case 6:
+        detail::back_columns<S, 6>(below + k, w, m, rows, x, y + k);
+        break;
+      case 7:
+        detail::back_columns<S, 7>(below + k, w, m, rows, x, y + k);
+        break;
+      default:
+        break;
     }
     for (std::size_t i = w; i-- > 1;) {
       const Quad yi = y[i];

@@ -16,12 +16,12 @@ namespace rigless {
 struct Supernode {
   std::int32_t first = 0;
   std::int32_t width = 0;
-  std::int32_t rows = 0;       // into SupernodeTree::rows
+  std::int32_t rows = 0;  // into SupernodeTree::rows
   std::int32_t row_count = 0;
-  std::int32_t parent = -1;    // supernode that holds the first of those rows
-  std::int32_t links = 0;      // into SupernodeTree::links
+  std::int32_t parent = -1;  // supernode that holds the first of those rows
+  std::int32_t links = 0;    // into SupernodeTree::links
   std::int32_t link_count = 0;
-  std::int64_t values = 0;     // into the factor's numbers: (width + row_count) x width
+  std::int64_t values = 0;  // into the factor's numbers: (width + row_count) x width
 };
 
 // Rows begin .. end - 1 of an earlier supernode lie among the columns of this one.
@@ -35,14 +35,14 @@ struct SupernodeTree {
   std::vector<std::int32_t> vertex_at;  // n: place -> vertex
   std::vector<std::int32_t> node_of;    // n: place -> supernode
   std::vector<Supernode> nodes;
-  std::vector<std::int32_t> rows;       // places, ascending within a supernode
-  std::vector<SupernodeLink> links;     // grouped by the supernode that is updated
-  std::int64_t values = 0;              // numbers in all panels
+  std::vector<std::int32_t> rows;    // places, ascending within a supernode
+  std::vector<SupernodeLink> links;  // grouped by the supernode that is updated
+  std::int64_t values = 0;           // numbers in all panels
 };
 
-// Orders by approximate minimum degree and merges columns into supernodes, also where a few zeros must be stored for it.
-// Allocates. Source: Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4 and 7; Ashcraft and Grimes 1989 for
-// the relaxed merging.
+// Orders by approximate minimum degree and merges columns into supernodes, also where a few zeros must be stored for
+// it. Allocates. Source: Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4 and 7; Ashcraft and Grimes 1989
+// for the relaxed merging.
 SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
 
 namespace detail {
