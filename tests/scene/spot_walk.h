@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rigless/motion/parse_acclaim.h"
+#include "rigless/motion/standardise.h"
 #include "rigless/scene/body.h"
 #include "rigless/scene/performance_builder.h"
 
@@ -36,8 +37,9 @@ struct SpotWalk {
     if (obj.empty() || asf.empty() || amc.empty()) return false;
     read_mesh(obj);
     Clip<double> clip;
-    return body.set_mesh(rest, faces).ok() && parse_acclaim(std::string_view(asf), std::string_view(amc), clip).ok() &&
-           stage_motion(clip, motion).ok() && place_controls();
+    if (!body.set_mesh(rest, faces).ok() || !parse_acclaim<double>(asf, amc, clip).ok()) return false;
+    const JointRoles roles = standardise<double>(clip, {}).roles;
+    return stage_motion(clip, roles, motion).ok() && place_controls();
   }
 
   Status perform(const PerformanceSettings<double>& settings, Performance<S>& out) const {

@@ -7,8 +7,6 @@
 #include "rigless/motion/body_frame.h"
 #include "rigless/motion/contacts.h"
 #include "rigless/motion/resample.h"
-#include "rigless/motion/units.h"
-#include "rigless/motion/up_axis.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {
@@ -26,30 +24,10 @@ struct StagedMotion {
   S source_fps = 0;
 };
 
-// What a BVH file does not say and was guessed from the body in it.
-struct FileGuess {
-  bool z_up = false;
-  LengthUnit unit = LengthUnit::none;
-};
-
-// Turns a clip that is in a file's own axes and lengths upright and into metres. `rest`: ParseNotes::rest. Allocates
-// scratch.
-template <class S>
-FileGuess stand_in_metres(Clip<S>& clip, Span<const Vec3<double>> rest) {
-  const JointRoles roles = find_joint_roles(clip);
-  FileGuess guess;
-  guess.z_up = guess_up_axis(clip, roles, rest) == UpAxis::z;
-  if (guess.z_up) turn_z_up_to_y_up(clip);
-  const UnitGuess<S> unit = guess_unit(clip, roles);
-  guess.unit = unit.unit;
-  scale_clip(clip, unit.metres_per_unit);
-  return guess;
-}
-
-// `source`: metres, Y up. Allocates. Errors: no_frames; not_finite (where: frame of the source); out_of_memory. On
+// `source`: as standardise() leaves it, with the roles that it found. Allocates. Errors: no_frames; not_finite (where: frame of the source); out_of_memory. On
 // failure `out` keeps what it had.
 template <class S>
-Status stage_motion(const Clip<S>& source, StagedMotion<S>& out) {
+Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion<S>& out) {
   for (std::size_t i = 0; i < source.positions.size(); ++i) {
     if (!source.positions[i].allFinite()) {
       return {Error::not_finite, static_cast<std::int32_t>(i / source.skeleton.names.size())};
@@ -62,8 +40,8 @@ Status stage_motion(const Clip<S>& source, StagedMotion<S>& out) {
   for (Vec3<S>& p : staged.clip.positions) p -= origin;
   staged.yaw = body_yaw(staged.clip);
   staged.local = body_local_positions<S>(staged.clip, staged.yaw);
-  staged.roles = find_joint_roles(source);
-  const Contacts contacts = find_contacts(source, staged.roles);
+  staged.roles = roles;
+  const Contacts contacts = find_contacts(source, roles);
   const auto fps = static_cast<S>(performance_fps);
   staged.flights = resample_flights(contacts.flights, source.fps, fps, staged.clip.frames);
   staged.left = contact_labels(contacts.left, source.fps, fps, staged.clip.frames);

@@ -20,11 +20,13 @@ export class Core {
   #out: number;
   #body: Handle;
   #motion: Handle = 0;
-  #performance: Handle = 0;
+  /** The last performance, ready to be deformed. */
+  #bake: Handle = 0;
+  /** How low and how tall the mesh is at rest. */
+  #floor = 0;
+  #height = 0;
   #vertices = 0;
   #controls = 0;
-  /** Drags and frames deform the same surface: after frames, a drag begins at rest. */
-  #dragging = false;
 
   constructor(wasm: RiglessExports) {
     this.#wasm = wasm;
@@ -41,12 +43,14 @@ export class Core {
       this.#check(
         this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
     });
-    this.#forgetPerformance();
+    this.#forgetBake();
     this.#controls = 0;
     this.#vertices = positions.length / 3;
     this.#wasm.body_report(this.#body, this.#out);
-    const [volume = NaN, ...counts] = this.#doubles(7);
-    const [boundaryEdges = 0, nonManifoldEdges = 0, shells = 0, isolatedVertices = 0, degenerateFaces = 0] = counts;
+    const [volume = NaN, boundaryEdges = 0, nonManifoldEdges = 0, shells = 0, isolatedVertices = 0,
+      degenerateFaces = 0, floor = 0, height = 0] = this.#doubles(8);
+    this.#floor = floor;
+    this.#height = height;
     return {
       vertices: this.#vertices,
       faces: faces.length / 3,
@@ -62,7 +66,7 @@ export class Core {
     this.#lend([vertices, radii], ([at = 0, radiiAt = 0]) => {
       this.#check(this.#wasm.body_set_controls(this.#body, at, radiiAt, controls.length), { kind: "controls" });
     });
-    this.#forgetPerformance();
+    this.#forgetBake();
     this.#controls = controls.length;
   }
 
@@ -88,11 +92,9 @@ export class Core {
     const begin = now();
     this.#needControls();
     this.#lend([targets], ([at = 0]) => {
-      const fresh = restart || !this.#dragging;
       this.#check(
-        this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(fresh)), { kind: "controls" });
+        this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(restart)), { kind: "controls" });
     });
-    this.#dragging = true;
     return {
       positions: this.#floats(this.#wasm.body_positions(this.#body), 3 * this.#vertices),
       volumeRatio: ratio(this.#wasm.body_volume_ratio(this.#body)),
@@ -104,35 +106,32 @@ export class Core {
   *retarget(input: RetargetInput): Generator<number, Performance> {
     let begin = now();
     let milliseconds = 0;
-    const next = this.#wasm.performance_new();
-    let finished = false;
+    const performance = this.#wasm.performance_new();
     try {
-      this.#beginRetarget(next, input);
-      for (let done = 0; done < 1; done = this.#wasm.performance_progress(next)) {
+      this.#beginRetarget(performance, input);
+      for (let done = 0; done < 1; done = this.#wasm.performance_progress(performance)) {
         milliseconds += now() - begin;
         yield done;
         begin = now();
-        this.#check(this.#wasm.performance_advance(next), { kind: "retarget" });
+        this.#check(this.#wasm.performance_advance(performance), { kind: "retarget" });
       }
-      finished = true;
+      this.#beginBake(performance, input.volume);
+      return this.#describePerformance(performance, milliseconds + now() - begin);
     } finally {
-      if (!finished) this.#wasm.performance_delete(next);
+      this.#wasm.performance_delete(performance);
     }
-    this.#forgetPerformance();
-    this.#performance = next;
-    return this.#describePerformance(next, milliseconds + now() - begin);
   }
 
   *frames(order: Uint32Array, emit: (frame: number, result: Frame) => void): Generator<number, void> {
     let made = 0;
     for (const frame of order) {
-      if (!this.#performance) throw new EngineError("bad_examples", "There is no retargeted motion for these controls yet.");
+      const bake = this.#bake;
+      if (!bake) throw new EngineError("bad_examples", "There is no retargeted motion for these controls yet.");
       const begin = now();
-      this.#dragging = false;
-      this.#check(this.#wasm.performance_bake(this.#performance, frame), { kind: "frames" });
-      this.#wasm.performance_root(this.#performance, this.#out);
+      this.#check(this.#wasm.bake_frame(bake, frame), { kind: "frames" });
+      this.#wasm.bake_root(bake, this.#out);
       const [x = 0, y = 0, z = 0, yaw = 0, volume = NaN] = this.#doubles(5);
-      const positions = this.#floats(this.#wasm.performance_positions(this.#performance), 3 * this.#vertices);
+      const positions = this.#floats(this.#wasm.bake_positions(bake), 3 * this.#vertices);
       emit(frame, { positions, volumeRatio: ratio(volume), root: [x, y, z, yaw], milliseconds: now() - begin });
       yield ++made / order.length;
     }
@@ -144,7 +143,7 @@ export class Core {
     this.#lend([bytes], ([at = 0]) => this.#check(read[kind](motion, at, bytes.length), { kind, name }));
   }
 
-  #beginRetarget(next: Handle, input: RetargetInput): void {
+  #beginRetarget(performance: Handle, input: RetargetInput): void {
     this.#needControls();
     if (!this.#motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
     this.#wasm.motion_info(this.#motion, this.#out);
@@ -162,10 +161,22 @@ export class Core {
     this.#lend([pairs, exampleJoints, exampleControls], ([pairsAt = 0, jointsAt = 0, controlsAt = 0]) => {
       this.#check(
         this.#wasm.performance_begin(
-          next, this.#body, this.#motion, pairsAt, this.#controls, jointsAt, controlsAt, examples.length,
-          input.smoothness, input.volume, Number(input.groundContact), Number(input.inPlace)),
+          performance, this.#motion, pairsAt, this.#wasm.body_rest_controls(this.#body), this.#controls,
+          this.#floor, this.#height, jointsAt, controlsAt, examples.length,
+          input.smoothness, Number(input.groundContact), Number(input.inPlace)),
         { kind: "retarget" });
     });
+  }
+
+  #beginBake(performance: Handle, volume: number): void {
+    const wasm = this.#wasm;
+    wasm.performance_info(performance, this.#out);
+    const [frames = 0, , flights = 0] = this.#doubles(3);
+    this.#forgetBake();
+    this.#bake = wasm.bake_new();
+    wasm.bake_begin(
+      this.#bake, this.#body, frames, wasm.performance_controls(performance), wasm.performance_yaw(performance),
+      wasm.performance_travel(performance), wasm.performance_flights(performance), flights, volume);
   }
 
   #describeMotion(motion: Handle, name: string): Motion {
@@ -214,10 +225,9 @@ export class Core {
     if (this.#controls === 0) throw new EngineError("bad_controls", "The model has no controls yet. Place at least one.");
   }
 
-  #forgetPerformance(): void {
-    if (this.#performance) this.#wasm.performance_delete(this.#performance);
-    this.#performance = 0;
-    this.#dragging = false;
+  #forgetBake(): void {
+    if (this.#bake) this.#wasm.bake_delete(this.#bake);
+    this.#bake = 0;
   }
 
   #check(packed: PackedStatus, subject: Subject): void {

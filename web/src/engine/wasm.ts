@@ -6,7 +6,7 @@ export type PackedStatus = number;
 /** Index and generation; 0 is none. */
 export type Handle = number;
 
-/** wasm/rigless.cpp says what each one does. */
+/** wasm/surface.cpp and wasm/motion.cpp say what each one does. */
 export interface RiglessExports {
   memory: WebAssembly.Memory;
   _initialize(): void;
@@ -21,6 +21,17 @@ export interface RiglessExports {
   body_drag(body: Handle, targets: Pointer, count: number, volume: number, restart: number): PackedStatus;
   body_positions(body: Handle): Pointer;
   body_volume_ratio(body: Handle): number;
+  body_rest_controls(body: Handle): Pointer;
+
+  bake_new(): Handle;
+  bake_delete(bake: Handle): void;
+  bake_begin(
+    bake: Handle, body: Handle, frames: number, controls: Pointer, yaw: Pointer, travel: Pointer,
+    flights: Pointer, flightCount: number, volume: number,
+  ): void;
+  bake_frame(bake: Handle, frame: number): PackedStatus;
+  bake_positions(bake: Handle): Pointer;
+  bake_root(bake: Handle, out: Pointer): void;
 
   motion_new(): Handle;
   motion_delete(motion: Handle): void;
@@ -39,9 +50,9 @@ export interface RiglessExports {
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
   performance_begin(
-    performance: Handle, body: Handle, motion: Handle, pairs: Pointer, controls: number,
+    performance: Handle, motion: Handle, pairs: Pointer, rest: Pointer, controls: number, floor: number, height: number,
     exampleJoints: Pointer, exampleControls: Pointer, examples: number,
-    smoothness: number, volume: number, groundContact: number, inPlace: number,
+    smoothness: number, groundContact: number, inPlace: number,
   ): PackedStatus;
   performance_advance(performance: Handle): PackedStatus;
   performance_progress(performance: Handle): number;
@@ -51,9 +62,6 @@ export interface RiglessExports {
   performance_flights(performance: Handle): Pointer;
   performance_yaw(performance: Handle): Pointer;
   performance_travel(performance: Handle): Pointer;
-  performance_bake(performance: Handle, frame: number): PackedStatus;
-  performance_positions(performance: Handle): Pointer;
-  performance_root(performance: Handle, out: Pointer): void;
 }
 
 export async function instantiate(bytes: ArrayBuffer): Promise<RiglessExports> {

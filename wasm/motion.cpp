@@ -1,0 +1,206 @@
+// Motions and performances as flat C functions over integer handles. No logic of its own: it turns memory into spans,
+// double into float32, and a Status into one number. Double inside. Built for size.
+
+#include <algorithm>
+
+#include "exports.h"
+#include "rigless/motion/parse_acclaim.h"
+#include "rigless/motion/parse_bvh.h"
+#include "rigless/motion/standardise.h"
+#include "rigless/scene/performance_builder.h"
+
+using rigless::Span;
+using rigless::Status;
+using rigless_wasm::HandleTable;
+using rigless_wasm::ObjectHandle;
+using rigless_wasm::pack;
+using rigless_wasm::view;
+
+namespace {
+
+using Vec3d = rigless::Vec3<double>;
+
+// A motion as it was read, and what of it goes to the page as float32.
+struct Motion {
+  rigless::AcclaimSkeleton skeleton;
+  rigless::ParseNotes notes;
+  rigless::Standardised<double> file;
+  rigless::StagedMotion<double> staged;
+  std::vector<float> positions, local, yaw;
+};
+
+// A performance in the making, then made.
+struct Play {
+  rigless::PerformanceBuilder<double> builder;
+  rigless::Performance<float> performance;
+  bool made = false;
+};
+
+HandleTable<Motion> motions;
+HandleTable<Play> plays;
+
+constexpr std::int32_t slice_frames = 64;  // of one control: well under a millisecond
+
+std::string_view text_view(const char* text, std::int32_t bytes) { return {text, static_cast<std::size_t>(bytes)}; }
+
+std::vector<Vec3d> widen(const float* numbers, std::int32_t count) {
+  std::vector<Vec3d> out;
+  for (const rigless::Vec3<float>& p : view<rigless::Vec3<float>>(numbers, count)) out.push_back(p.cast<double>());
+  return out;
+}
+
+void narrow(Span<const Vec3d> points, std::vector<float>& out) {
+  out.clear();
+  out.reserve(3 * points.size());
+  for (const Vec3d& p : points) {
+    for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(p[k]));
+  }
+}
+
+Status stage(rigless::Clip<double>& clip, Motion& motion) {
+  motion.file = rigless::standardise<double>(clip, motion.notes.rest);
+  if (const Status status = rigless::stage_motion(clip, motion.file.roles, motion.staged); !status.ok()) return status;
+  narrow(motion.staged.clip.positions, motion.positions);
+  narrow(motion.staged.local, motion.local);
+  motion.yaw.assign(motion.staged.yaw.begin(), motion.staged.yaw.end());
+  return {};
+}
+
+}  // namespace
+
+RIGLESS_EXPORT ObjectHandle motion_new() { return motions.add(); }
+
+RIGLESS_EXPORT void motion_delete(ObjectHandle motion) { motions.remove(motion); }
+
+// UTF-8 text.
+RIGLESS_EXPORT double motion_read_bvh(ObjectHandle motion, const char* text, std::int32_t bytes) {
+  rigless::Clip<double> clip;
+  Motion& m = motions[motion];
+  if (const Status status = rigless::parse_bvh(text_view(text, bytes), clip, &m.notes); !status.ok())
+    return pack(status);
+  return pack(stage(clip, m));
+}
+
+RIGLESS_EXPORT double motion_read_asf(ObjectHandle motion, const char* text, std::int32_t bytes) {
+  return pack(rigless::parse_asf(text_view(text, bytes), motions[motion].skeleton));
+}
+
+// On the skeleton of motion_read_asf().
+RIGLESS_EXPORT double motion_read_amc(ObjectHandle motion, const char* text, std::int32_t bytes) {
+  Motion& m = motions[motion];
+  rigless::Clip<double> clip;
+  const Status status = rigless::parse_amc(text_view(text, bytes), m.skeleton, clip, &m.notes);
+  return pack(status.ok() ? stage(clip, m) : status);
+}
+
+// out: T, J, frames and rate of the file, metres per unit of the file.
+RIGLESS_EXPORT void motion_info(ObjectHandle motion, double* out) {
+  const rigless::StagedMotion<double>& m = motions[motion].staged;
+  out[0] = m.clip.frames;
+  out[1] = m.clip.joints();
+  out[2] = m.source_frames;
+  out[3] = m.source_fps;
+  out[4] = m.clip.metres_per_unit;
+}
+
+// out: the numbers of ParseNotes, in its order, then whether Z is up in the file, and its LengthUnit.
+RIGLESS_EXPORT void motion_notes(ObjectHandle motion, double* out) {
+  const rigless::ParseNotes& n = motions[motion].notes;
+  out[0] = n.frames_declared;
+  out[1] = n.frames_read;
+  out[2] = n.frame_cut;
+  out[3] = n.text_after_end;
+  out[4] = n.frame_time_assumed;
+  out[5] = n.roots;
+  out[6] = n.renamed;
+  out[7] = n.lengths_ignored;
+  out[8] = motions[motion].file.up == rigless::UpAxis::z;
+  out[9] = static_cast<double>(motions[motion].file.unit.unit);
+}
+
+RIGLESS_EXPORT const char* motion_name(ObjectHandle motion, std::int32_t joint) {
+  return motions[motion].staged.clip.skeleton.names[static_cast<std::size_t>(joint)].data();
+}
+
+RIGLESS_EXPORT std::int32_t motion_name_bytes(ObjectHandle motion, std::int32_t joint) {
+  return static_cast<std::int32_t>(motions[motion].staged.clip.skeleton.names[static_cast<std::size_t>(joint)].size());
+}
+
+// J
+RIGLESS_EXPORT const std::int32_t* motion_parents(ObjectHandle motion) {
+  return motions[motion].staged.clip.skeleton.parents.data();
+}
+
+// T x J x 3, T x J x 3 and T, float32
+RIGLESS_EXPORT const float* motion_positions(ObjectHandle motion) { return motions[motion].positions.data(); }
+RIGLESS_EXPORT const float* motion_local(ObjectHandle motion) { return motions[motion].local.data(); }
+RIGLESS_EXPORT const float* motion_yaw(ObjectHandle motion) { return motions[motion].yaw.data(); }
+
+RIGLESS_EXPORT ObjectHandle performance_new() { return plays.add(); }
+
+RIGLESS_EXPORT void performance_delete(ObjectHandle performance) { plays.remove(performance); }
+
+// pairs: C; rest: C x 3, the controls at rest; floor, height: of the mesh at rest; example_joints: N x J x 3 body-local
+// metres, NaN where unknown; example_controls: N x C x 3. The motion must stay until performance_progress() is 1.
+RIGLESS_EXPORT double performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
+                                        const float* rest, std::int32_t controls, double floor, double height,
+                                        const float* example_joints, const float* example_controls,
+                                        std::int32_t examples, double smoothness, std::int32_t ground_contact,
+                                        std::int32_t in_place) {
+  const rigless::StagedMotion<double>& staged = motions[motion].staged;
+  const std::vector<Vec3d> rest_controls = widen(rest, controls);
+  const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
+  const std::vector<Vec3d> places = widen(example_controls, examples * controls);
+  rigless::PerformanceInput<double> input;
+  input.motion = &staged;
+  input.pairs = view<std::int32_t>(pairs, controls);
+  input.rest = rest_controls;
+  input.floor = floor;
+  input.height = height;
+  input.examples = {joints, places};
+  input.settings = {smoothness, ground_contact != 0, in_place != 0};
+  return pack(plays[performance].builder.begin(input));
+}
+
+// One slice. Call until performance_progress() is 1.
+RIGLESS_EXPORT double performance_advance(ObjectHandle performance) {
+  Play& play = plays[performance];
+  if (play.builder.advance(slice_frames)) return 0;
+  rigless::Performance<double> made;
+  if (const Status status = play.builder.finish(made); !status.ok()) return pack(status);
+  play.performance = rigless::performance_cast<float>(made);
+  play.made = true;
+  return 0;
+}
+
+RIGLESS_EXPORT double performance_progress(ObjectHandle performance) {
+  const Play& play = plays[performance];
+  return play.made ? 1.0 : std::min(play.builder.progress(), 0.99);
+}
+
+// out: T, C, number of flights, slip before and after the foot lock (metres per second).
+RIGLESS_EXPORT void performance_info(ObjectHandle performance, double* out) {
+  const rigless::Performance<float>& p = plays[performance].performance;
+  out[0] = p.frames;
+  out[1] = static_cast<double>(p.control_count());
+  out[2] = static_cast<double>(p.flights.size());
+  out[3] = static_cast<double>(p.slip_before.mean);
+  out[4] = static_cast<double>(p.slip_after.mean);
+}
+
+// T x C x 3; T x C; pairs of frames; T; T x 2
+RIGLESS_EXPORT const float* performance_controls(ObjectHandle performance) {
+  return plays[performance].performance.controls.data()->data();
+}
+RIGLESS_EXPORT const std::uint8_t* performance_contacts(ObjectHandle performance) {
+  return plays[performance].performance.contacts.data();
+}
+RIGLESS_EXPORT const std::int32_t* performance_flights(ObjectHandle performance) {
+  return reinterpret_cast<const std::int32_t*>(plays[performance].performance.flights.data());
+}
+RIGLESS_EXPORT const float* performance_yaw(ObjectHandle performance) {
+  return plays[performance].performance.yaw.data();
+}
+RIGLESS_EXPORT const float* performance_travel(ObjectHandle performance) {
+  return plays[performance].performance.travel.data()->data();
+}
