@@ -64,7 +64,10 @@ class SpacetimeTrack {
   // The track (T) under the constraint forces (T); with `free` false only what the forces change. No allocation.
   void solve(Span<const Vec3<S>> force, bool free, Span<Vec3<S>> track) {
     if (has_offset()) {
-      for (std::size_t f = 0; f < next_; ++f) both_right_[f] << pulled(f, force[f], free), -force[f];
+      for (std::size_t f = 0; f < next_; ++f) {
+        both_right_[f].template head<3>() = pulled(f, force[f], free);
+        both_right_[f].template tail<3>() = -force[f];
+      }
       both_.solve_in_place(both_right_);
       for (std::size_t f = 0; f < next_; ++f) track[f] = both_right_[f].template head<3>();
     } else {

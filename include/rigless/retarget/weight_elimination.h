@@ -115,7 +115,8 @@ class WeightElimination {
       system_(col, col) += own_cost(m);
       S target = projection_[a] + shared;
       if (hard()) target += gram_(k, k) - gram_(a, k) - projection_[k];
-      right_.row(col) << (controls_[m] - origin).transpose(), target;
+      right_.row(col).template head<3>() = (controls_[m] - origin).transpose();
+      right_(col, 3) = target;
     }
     if (system_.size() == 0) return true;
     const Eigen::LLT<Eigen::Ref<Matrix>> in_place(system_);
