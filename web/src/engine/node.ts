@@ -13,10 +13,13 @@ export async function createNodeEngine(wasm: URL = new URL("./rigless.wasm", imp
   return new EngineClient(channelWorker(), new Uint8Array(file).buffer);
 }
 
+// Not a message to itself as in a browser: Node empties one port before it looks at the next.
+const turn = () => new Promise<void>((resolve) => setImmediate(resolve));
+
 /** A WorkerPort whose other end is served in this thread. */
 export function channelWorker(): WorkerPort {
   const { port1, port2 } = new MessageChannel();
-  const stop = serve(port2 as ServerPort);
+  const stop = serve(port2 as ServerPort, turn);
   const worker: WorkerPort = {
     postMessage: (message, transfer) => port1.postMessage(message, transfer),
     terminate: () => {

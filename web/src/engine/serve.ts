@@ -18,9 +18,12 @@ type Steps = Generator<number, unknown, void>;
 
 const SLICE_MILLISECONDS = 8;
 
-/** Serves a port until the returned function is called or the core is lost. */
-export function serve(port: ServerPort): () => void {
-  const server = new Server(port);
+/**
+ * Serves a port until the returned function is called or the core is lost. `turn` resolves when the messages that have
+ * arrived were heard.
+ */
+export function serve(port: ServerPort, turn: () => Promise<void>): () => void {
+  const server = new Server(port, turn);
   port.onmessage = (event) => server.hear(event.data);
   return () => server.stop();
 }
@@ -33,9 +36,8 @@ class Server {
   #drag: DragRequest | null = null;
   #running = false;
   #stopped = false;
-  #turns = new MessageChannel();
 
-  constructor(readonly port: ServerPort) {}
+  constructor(readonly port: ServerPort, readonly turn: () => Promise<void>) {}
 
   hear(request: Request): void {
     if (this.#stopped) return;
@@ -59,7 +61,6 @@ class Server {
   stop(): void {
     this.#stopped = true;
     this.port.onmessage = null;
-    this.#turns.port1.close();
   }
 
   async #load(bytes: ArrayBuffer): Promise<void> {
@@ -76,7 +77,7 @@ class Server {
     if (this.#running || !this.#core) return;
     this.#running = true;
     try {
-      while (!this.#stopped && this.#step(this.#core)) await this.#turn();
+      while (!this.#stopped && this.#step(this.#core)) await this.turn();
     } catch (error) {
       this.#lose(error);
     }
@@ -180,14 +181,6 @@ class Server {
 
   #post(reply: Reply, transfer: Transferable[] = []): void {
     this.port.postMessage(reply, transfer);
-  }
-
-  /** Lets the messages in that have arrived; a timer would cost 4 ms, a promise would let none in. */
-  #turn(): Promise<void> {
-    return new Promise((resolve) => {
-      this.#turns.port1.onmessage = () => resolve();
-      this.#turns.port2.postMessage(null);
-    });
   }
 }
 
