@@ -15,9 +15,9 @@ inline constexpr int iterations_per_drag = 2;
 // The surface for these C targets; depends on nothing but them. lambda_v is `volume`. No allocation.
 template <class S>
 void deform_from_rest(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume) {
-  deformer.reset();
   deformer.set_targets(targets);
-  deformer.step(iterations_from_rest);
+  deformer.start();
+  deformer.relax(iterations_from_rest);
   deformer.pose(volume);
 }
 
