@@ -9,7 +9,7 @@ const below: Record<string, string[]> = {
   sync: ["engine", "document"],
   io: ["engine", "document", "sync"],
   viewport: ["engine", "document", "sync"],
-  ui: ["engine", "document", "sync", "io", "viewport", "styles"],
+  ui: ["engine", "document", "sync", "io", "viewport", "styles", "assets"],
   styles: [],
 };
 
@@ -23,7 +23,7 @@ function forbidden(path: string, text: string): string[] {
   return specifiers
     .filter((specifier) => {
       if (!specifier.startsWith(".")) return layer === "engine" && !specifier.startsWith("node:");
-      const target = join(path, "..", specifier).split("/")[0] ?? "";
+      const target = join(path, "..", specifier).replace(/^\.\.\//, "").split("/")[0] ?? ""; // ../assets lies beside src
       return target !== layer && !allowed.includes(target);
     })
     .map((specifier) => `${path}: ${specifier}`);
