@@ -30,6 +30,9 @@ const PANELS = {
   poses: (session: Session) => html`<rigless-panel-poses .session=${session}></rigless-panel-poses>`,
 } as const;
 
+/** Notices may take this part of the stage's height from the figures; beyond it they cover. */
+const MOST_WORDS = 0.3;
+
 /** The page: where each part stands, what is dropped on it, and its keys. */
 @customElement("rigless-app")
 export class App extends LitElement {
@@ -52,7 +55,7 @@ export class App extends LitElement {
       rigless-top-bar { grid-area: 1 / 1 / 2 / -1; z-index: 4; position: relative; }
       main { grid-area: 2 / 1 / 3 / -1; position: relative; background: var(--stage); overflow: hidden; min-height: 0; }
       .view3d { position: absolute; inset: 0; }
-      .left { grid-area: 2 / 1; align-self: stretch; display: flex; align-items: flex-start; pointer-events: none; z-index: 2; min-height: 0; padding-bottom: 48px; }
+      .left { grid-area: 2 / 1; align-self: stretch; display: flex; align-items: flex-start; pointer-events: none; z-index: 2; min-height: 0; padding-bottom: 52px; }
       .left > * { pointer-events: auto; }
       .panel { margin: var(--s2) 0; max-height: calc(100% - 16px); display: flex; min-height: 0; }
       .panel > * { display: flex; min-height: 0; }
@@ -111,7 +114,7 @@ export class App extends LitElement {
   protected override firstUpdated(): void {
     this.session.start(this.host);
     globalThis.rigless = debugHandle(this.session);
-    for (const topic of ["verb", "notices", "hello", "pairing"] as const) this.session.on(topic, () => this.reframe());
+    for (const topic of ["verb", "notices", "hello", "jobs", "pairing"] as const) this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;
       this.requestUpdate();
@@ -133,7 +136,7 @@ export class App extends LitElement {
       <rigless-top-bar role="banner" .session=${session}></rigless-top-bar>
       <main aria-label="Stage"><div class="view3d"></div></main>
       <div class="middle">
-        <rigless-hello .session=${session}></rigless-hello>
+        <rigless-hello ?hidden=${this.dropping} .session=${session}></rigless-hello>
         <rigless-notices .session=${session}></rigless-notices>
         <div class="low">
           <rigless-jobs .session=${session}></rigless-jobs>
@@ -199,9 +202,11 @@ export class App extends LitElement {
     const hello = this.hello.boxes;
     const desk = !this.phone;
     const left = desk ? Math.max(card("rigless-rail")?.right ?? 0, card(".panel > *")?.right ?? 0) : stage.left;
-    const right = desk ? (card("rigless-inspector")?.left ?? stage.right) : stage.right;
-    const top = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(hello.line)?.bottom ?? 0);
-    const lows = [card("rigless-status"), card("rigless-prompt"), box(hello.chips)].map((rect) => rect?.top ?? stage.bottom);
+    const job = card("rigless-jobs");
+    const right = desk ? Math.min(job?.left ?? stage.right, card("rigless-inspector")?.left ?? stage.right) : stage.right;
+    const words = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(hello.line)?.bottom ?? 0);
+    const top = Math.min(words, stage.top + MOST_WORDS * stage.height);
+    const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(hello.chips)].map((rect) => rect?.top ?? stage.bottom);
     this.session.setInsets({
       left: Math.max(0, left - stage.left),
       top: top - stage.top,

@@ -144,9 +144,10 @@ export class Viewport implements ViewportApi {
   thumbnail(positions: Float32Array, size: number): string {
     if (this.lost) return "";
     const url = this.thumbnails.draw(positions, size);
-    // The canvas now shows the little picture: draw the stage again before this task ends.
-    if (!this.pictureStale) queueMicrotask(() => this.pictureStale && this.draw());
-    this.pictureStale = true;
+    // The canvas now shows the little picture. A slow machine may present it before the next tick: draw the stage again at once.
+    const stale = this.pictureStale;
+    this.draw();
+    this.pictureStale = stale;
     return url;
   }
 

@@ -43,7 +43,7 @@ test("a model, a skeleton and a motion dropped together: points and pairs make i
 });
 
 const BAD: readonly { name: string; content: string; says: RegExp }[] = [
-  { name: "curves.obj", content: "v 0 0 0\nv 1 0 0\nl 1 2\n", says: /curves\.obj has no triangles/ },
+  { name: "curves.obj", content: "v 0 0 0\nv 1 0 0\nl 1 2\n", says: /curves\.obj has 2 points but no faces/ },
   { name: "nan.obj", content: "v 0 0 0\nv x 0 0\nv 0 1 0\nf 1 2 3\n", says: /nan\.obj/ },
   { name: "empty.glb", content: "", says: /empty\.glb is empty/ },
   { name: "broken.glb", content: "glTF\u0002 and then nothing", says: /broken\.glb/ },

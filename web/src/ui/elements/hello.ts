@@ -19,6 +19,7 @@ export class Hello extends SessionElement {
     base,
     css`
       :host { display: block; pointer-events: none; }
+      :host([hidden]) { display: none; }
       .line { position: absolute; top: 20px; left: 0; right: 0; text-align: center; font: var(--t-display); font-weight: 400; letter-spacing: -.01em; padding: 0 16px; text-wrap: balance; }
       .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; gap: 8px; justify-content: center; }
       .chip { pointer-events: auto; display: inline-flex; align-items: center; gap: 6px; min-height: max(36px, var(--hit)); padding: 0 16px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--ink); font: var(--t-strong); --frame: var(--lift-1); box-shadow: var(--frame); cursor: pointer; white-space: nowrap; transition: transform var(--bounce) var(--squash); }

@@ -13,7 +13,7 @@ export class JobCard extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { display: grid; gap: var(--s1); margin: var(--s2); }
+      :host { display: grid; gap: var(--s1); margin: 0 var(--s2); }
       .job { background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); padding: var(--s2); width: 304px; max-width: calc(100vw - 16px); }
       h3 { font: var(--t-title); min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
       .top { display: flex; justify-content: space-between; align-items: center; gap: 8px; margin-bottom: 12px; }
@@ -26,7 +26,7 @@ export class JobCard extends SessionElement {
       .is-now { color: var(--ink); font-weight: 600; }
       .dotnow { width: 9px; height: 9px; border-radius: 50%; background: var(--now); box-shadow: 0 0 0 1.5px var(--on-now); margin-left: 3px; }
       .todo { width: 9px; height: 9px; border-radius: 50%; box-shadow: inset 0 0 0 1.5px var(--edge); margin-left: 3px; }
-      @media (max-width: 719px) { :host { margin: 8px; } }
+      @media (max-width: 719px) { :host { margin: 0 8px; } }
     `,
   ];
 

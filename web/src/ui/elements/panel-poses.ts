@@ -29,7 +29,7 @@ export class PosesPanel extends SessionElement {
     return html`<section class="panel" aria-label="Poses">
       <h2>Poses <button class="btn line" ?disabled=${!session.canPose} @click=${() => session.addPose()}>Add</button></h2>
       ${examples.length === 0 ? html`<p class="note">Stop at a frame, drag a dot and let go: that is a pose. Two are enough to start.</p>` : nothing}
-      <ul>${examples.map((pose) => this.renderPose(pose))}</ul>
+      <ul>${[...session.posesHere, ...examples.filter((pose) => !session.isHere(pose))].map((pose) => this.renderPose(pose))}</ul>
     </section>`;
   }
 

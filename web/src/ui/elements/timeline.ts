@@ -42,6 +42,7 @@ export class Timeline extends SessionElement {
       .pose .thumb { width: 40px; height: 38px; transition: transform var(--bounce) var(--squash); }
       .pose:hover .thumb { transform: translateY(-2px); }
       .pose::after { content: ""; position: absolute; left: 50%; bottom: 2px; width: 11px; height: 11px; margin-left: -5.5px; transform: rotate(45deg); border-radius: 2px; background: var(--ink); box-shadow: 0 0 0 2px var(--desk); }
+      .pose.sel, .pose:hover { z-index: 4; }
       .pose.sel .thumb { box-shadow: inset 0 0 0 2px var(--ink); }
       .pose.sel::after { background: var(--now); box-shadow: inset 0 0 0 1.5px var(--on-now), 0 0 0 2px var(--desk); }
       .pose:focus-visible { position: absolute; }

@@ -68,7 +68,7 @@ export class Opening {
           await this.motions(sorted.motions, job, gesture);
         }
         const nothing = !sorted.project && sorted.models.length === 0 && sorted.motions.length === 0;
-        for (const problem of sorted.problems) this.say({ bad: nothing, title: problem, text: nothing ? this.untouched() : "" });
+        for (const problem of sorted.problems) this.refuse(problem, nothing);
       }));
   }
 
@@ -139,8 +139,14 @@ export class Opening {
       if (error instanceof DOMException && error.name === "AbortError") return;
       const message = error instanceof Error ? error.message : String(error);
       const named = what.split(", ").some((name) => message.includes(baseName(name)));
-      this.say({ bad: true, title: named ? message : `${what}: ${message}`, text: this.untouched() });
+      this.refuse(named ? message : `${what}: ${message}`, true);
     }
+  }
+
+  /** The first sentence says what is wrong, the others what it may be. */
+  private refuse(message: string, untouched: boolean): void {
+    const [, title, rest] = /^(.*?[.:]) ([A-Z].*)$/s.exec(message) ?? [null, message, ""];
+    this.say({ bad: untouched, title: title ?? message, text: [rest, untouched ? this.untouched() : ""].filter(Boolean).join(" ") });
   }
 
   private say(notice: NoticeInput): void {

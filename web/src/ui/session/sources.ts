@@ -13,16 +13,21 @@ export class Sources {
 
   constructor(private readonly library: Library) {}
 
-  /** Keeps a model under a name of its own, its own file first among `files`; answers the name. */
+  /**
+   * Keeps a model under a name of its own, its own file first among `files`; answers the name. The same files opened again
+   * are the same model.
+   */
   async keepModel(file: string, model: Model, files: readonly NamedFile[]): Promise<string> {
+    const [own, ...others] = files;
+    const beside = others.filter((other) => motionFormat(other) === null && extension(other.name) !== "json");
+    const known = this.library.model(file);
+    if (known && own && sameFiles(this.files.get(known) ?? [], [{ ...own, name: file }, ...beside])) return file;
     const { texture } = model.drawn;
     if (texture) {
       const blob = new Blob([texture.bytes.slice()], { type: texture.mime });
       this.textures.set(model, await createImageBitmap(blob, { premultiplyAlpha: "none", colorSpaceConversion: "none" }));
     }
-    const [own, ...others] = files;
     const name = this.library.addModel(file, model);
-    const beside = others.filter((other) => motionFormat(other) === null && extension(other.name) !== "json");
     this.files.set(model, own ? [{ ...own, name }, ...beside] : beside);
     return name;
   }
@@ -43,4 +48,12 @@ export class Sources {
     const motions = texts.map((text, k) => ({ name: motionFiles[k] ?? "", bytes: encode(text) }));
     return [...(this.files.get(model) ?? []), ...motions];
   }
+}
+
+function sameFiles(a: readonly NamedFile[], b: readonly NamedFile[]): boolean {
+  return a.length === b.length && a.every((file, k) => sameFile(file, b[k]));
+}
+
+function sameFile(a: NamedFile, b: NamedFile | undefined): boolean {
+  return b !== undefined && a.name === b.name && a.bytes.length === b.bytes.length && a.bytes.every((byte, k) => byte === b.bytes[k]);
 }
