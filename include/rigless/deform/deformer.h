@@ -26,7 +26,9 @@ struct UniformWeights {
 
 template <class S>
 struct DeformerOptions {
-  S elastic = S(0.5);  // mu of ElasticScale
+  S elastic = S(0.5);           // mu of ElasticScale
+  Span<const S> rigidity = {};  // V, or empty for 1 everywhere: an edge is as stiff as the softer of its ends. 10 keeps
+                                // the shape of a head or of armour; 1000 makes its seam ugly.
 };
 
 // Two states, after Fig 3.4 of the thesis. step() iterates the scaled shape state; pose() derives the surface that is
@@ -45,6 +47,11 @@ class Deformer {
 
   // C target positions of the controls. No allocation.
   void set_targets(Span<const Vec3<S>> targets);
+
+  // Gives control c an orientation of its own, from rest; free_turn() lets it turn with its surroundings again, as all
+  // do at first. Nothing to see on a control of one vertex. No allocation.
+  void turn(std::int32_t c, const Mat3<S>& rotation);
+  void free_turn(std::int32_t c);
 
   // Shape state and disc rotations back to rest. No allocation.
   void reset();
@@ -95,6 +102,7 @@ class Deformer {
   template <bool with_energy>
   double fit_residual();
   void solve_update();
+  void unturn_discs(const Mat3<S>& rotation);
   void turn_discs();
   void hold();
   void show(Span<const Quad> update, Span<Vec3<S>> out) const;
@@ -109,6 +117,7 @@ class Deformer {
   std::vector<std::int32_t> changed_;   // vertices whose rows of the system changed
   std::vector<Vec3<S>> targets_;        // C
   std::vector<Mat3<S>> disc_rotation_;  // C
+  std::vector<char> turned_;            // C: the caller has set its rotation
   std::vector<Quad> x_;                 // V + 1: shape state, in elimination order
   std::vector<Quad> r_;                 // V + 1: residual, then update
   std::vector<Quad> solved_;            // V + 1: the last iterate before momentum carried it on
@@ -139,6 +148,19 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
     cells.weight[static_cast<std::size_t>(cells.ring.slot(a, b))] = S(1);
     cells.weight[static_cast<std::size_t>(cells.ring.slot(b, a))] = S(1);
   }
+  if (!options.rigidity.empty()) {
+    if (options.rigidity.size() != rest.size()) return {Error::size_mismatch, -1};
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      if (!(options.rigidity[i] > S(0)) || !std::isfinite(options.rigidity[i])) {
+        return {Error::not_finite, static_cast<std::int32_t>(i)};
+      }
+      for (auto k = static_cast<std::size_t>(cells.ring.first[i]);
+           k < static_cast<std::size_t>(cells.ring.first[i + 1]); ++k) {
+        cells.weight[k] *=
+            std::min(options.rigidity[i], options.rigidity[static_cast<std::size_t>(cells.ring.neighbor[k])]);
+      }
+    }
+  }
   measure_cells(cells);
 
   cells_ = std::move(cells);
@@ -153,6 +175,7 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
   for (std::int32_t v = 0; v < count; ++v) fill_system(v, discs_);
   targets_.clear();
   disc_rotation_.clear();
+  turned_.clear();
   x_.assign(cells_.size() + 1, Quad{});
   r_.assign(cells_.size() + 1, Quad{});
   solved_.assign(cells_.size() + 1, Quad{});
@@ -215,6 +238,7 @@ Status Deformer<S, Weights>::set_handles(Span<const Handle<S>> handles) {
   targets_.clear();
   for (std::int32_t v : discs_.center) targets_.push_back(cells_.rest[static_cast<std::size_t>(v)]);
   disc_rotation_.assign(handles.size(), Mat3<S>::Identity());
+  turned_.assign(handles.size(), 0);
   reset();
   return {};
 }
@@ -237,8 +261,27 @@ void Deformer<S, Weights>::set_shape(Span<const Vec3<S>> surface) {
     row(x_, v) = Quad{surface[v].x(), surface[v].y(), surface[v].z(), S(0)};
   std::copy(surface.begin(), surface.end(), shape_.begin());
   std::copy(surface.begin(), surface.end(), positions_.begin());
-  std::fill(disc_rotation_.begin(), disc_rotation_.end(), Mat3<S>::Identity());
+  unturn_discs(Mat3<S>::Identity());
   slices_.set_rotations(Mat3<S>::Identity());
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::turn(std::int32_t c, const Mat3<S>& rotation) {
+  disc_rotation_[static_cast<std::size_t>(c)] = rotation;
+  turned_[static_cast<std::size_t>(c)] = 1;
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::free_turn(std::int32_t c) {
+  turned_[static_cast<std::size_t>(c)] = 0;
+}
+
+// Where free discs begin.
+template <class S, class Weights>
+void Deformer<S, Weights>::unturn_discs(const Mat3<S>& rotation) {
+  for (std::size_t c = 0; c < discs_.size(); ++c) {
+    if (!turned_[c]) disc_rotation_[c] = rotation;
+  }
 }
 
 template <class S, class Weights>
@@ -260,7 +303,7 @@ void Deformer<S, Weights>::start() {
     const Vec3<S> p = to + R * (cells_.rest[v] - from);
     row(x_, v) = Quad{p.x(), p.y(), p.z(), S(0)};
   }
-  std::fill(disc_rotation_.begin(), disc_rotation_.end(), R);
+  unturn_discs(R);
   slices_.set_rotations(R);
   std::fill(r_.begin(), r_.end(), Quad{});  // a rigidly moved surface has no residual; what is held has moved on
   hold();
@@ -346,7 +389,7 @@ Vec3<S> Deformer<S, Weights>::position(std::size_t vertex) {
 template <class S, class Weights>
 void Deformer<S, Weights>::turn_discs() {
   for (std::size_t c = 0; c < discs_.size(); ++c) {
-    if (discs_.first[c + 1] - discs_.first[c] < 2) continue;  // a single vertex has no turn
+    if (turned_[c] || discs_.first[c + 1] - discs_.first[c] < 2) continue;  // a single vertex has no turn
     disc_rotation_[c] = fit_disc(
         cells_, discs_, c, [&](std::size_t v) { return slices_.transform(ldlt_.place()[v]); },
         [&](std::size_t v) { return position(v); }, targets_[c]);
