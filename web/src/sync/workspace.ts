@@ -216,7 +216,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       return;
     }
     const solved = [document.points, document.examples, document.settings] as const;
-    if (bound.solved?.every((part, k) => part === solved[k])) return;
+    if (this.performance && bound.solved?.every((part, k) => part === solved[k])) return;
     if (signal.aborted) throw new EngineError("cancelled", "Cancelled.");
     this.interruptible = false;
     const performance = await this.engine.retarget(retargetInput(model, document, motion));
