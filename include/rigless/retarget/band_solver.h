@@ -2,12 +2,12 @@
 // of a track leave behind.
 #pragma once
 
-#include <Eigen/LU>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/dense_solve.h"
 #include "rigless/math/status.h"
 
 namespace rigless {
@@ -50,22 +50,22 @@ class BandSolver {
     Factor& now = rows_[next_];
     now.lower2 = row[0];
     now.lower1 = row[1];
-    Block diagonal = row[2];
+    now.diagonal = row[2];
     now.upper1 = row[3];
     now.upper2 = row[4];
     if (next_ >= 2) {
       const Factor& before = rows_[next_ - 2];
-      now.lower1.noalias() -= now.lower2 * before.upper1;
-      diagonal.noalias() -= now.lower2 * before.upper2;
+      subtract_product(now.lower2, before.upper1, now.lower1);
+      subtract_product(now.lower2, before.upper2, now.diagonal);
     }
     if (next_ >= 1) {
       const Factor& before = rows_[next_ - 1];
-      diagonal.noalias() -= now.lower1 * before.upper1;
-      now.upper1.noalias() -= now.lower1 * before.upper2;
+      subtract_product(now.lower1, before.upper1, now.diagonal);
+      subtract_product(now.lower1, before.upper2, now.upper1);
     }
-    now.lu.compute(diagonal);
-    now.upper1 = now.lu.solve(now.upper1).eval();
-    now.upper2 = now.lu.solve(now.upper2).eval();
+    lu_in_place(now.diagonal, now.exchange.data());
+    solve_lu(now.diagonal, now.exchange.data(), now.upper1);
+    solve_lu(now.diagonal, now.exchange.data(), now.upper2);
     ++next_;
   }
 
@@ -75,21 +75,23 @@ class BandSolver {
     const std::size_t frames = rows_.size();
     for (std::size_t f = 0; f < frames; ++f) {
       Vector r = x[f];
-      if (f >= 1) r.noalias() -= rows_[f].lower1 * x[f - 1];
-      if (f >= 2) r.noalias() -= rows_[f].lower2 * x[f - 2];
-      x[f] = rows_[f].lu.solve(r);
+      if (f >= 1) subtract_product(rows_[f].lower1, x[f - 1], r);
+      if (f >= 2) subtract_product(rows_[f].lower2, x[f - 2], r);
+      solve_lu(rows_[f].diagonal, rows_[f].exchange.data(), r);
+      x[f] = r;
     }
     for (std::size_t f = frames; f-- > 0;) {
-      if (f + 1 < frames) x[f].noalias() -= rows_[f].upper1 * x[f + 1];
-      if (f + 2 < frames) x[f].noalias() -= rows_[f].upper2 * x[f + 2];
+      if (f + 1 < frames) subtract_product(rows_[f].upper1, x[f + 1], x[f]);
+      if (f + 2 < frames) subtract_product(rows_[f].upper2, x[f + 2], x[f]);
     }
   }
 
  private:
   struct Factor {
-    Eigen::PartialPivLU<Block> lu;  // of the eliminated diagonal block
-    Block lower1, lower2;           // at f-1 (eliminated) and f-2
-    Block upper1, upper2;           // lu^-1 times those at f+1 and f+2
+    Block diagonal;                        // LU factors, eliminated
+    std::array<std::int32_t, B> exchange;  // their rows
+    Block lower1, lower2;                  // at f-1 (eliminated) and f-2
+    Block upper1, upper2;                  // lu^-1 times those at f+1 and f+2
   };
   std::vector<Factor> rows_;
   std::size_t next_ = 0;

@@ -1,7 +1,6 @@
 // The spacetime system: all frames of all control tracks at once, under hard constraints.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -236,8 +235,11 @@ class SpacetimeSolver {
     }
     const S rounding = S(16) * std::numeric_limits<S>::epsilon() * schur_.diagonal().cwiseAbs().maxCoeff();
     const S give = std::max({options_.compliance, rounding, std::numeric_limits<S>::min()});
-    const Matrix system = (schur_ + schur_.transpose()) / S(2) + give * Matrix::Identity(size, size);
-    multipliers_ = system.ldlt().solve(excess);
+    Matrix system = (schur_ + schur_.transpose()) / S(2) + give * Matrix::Identity(size, size);
+    std::vector<std::int32_t> exchange(rows_.size());
+    lu_in_place(system, exchange.data());
+    solve_lu(system, exchange.data(), excess);
+    multipliers_ = excess;
   }
 
   void next_constrained_track() {

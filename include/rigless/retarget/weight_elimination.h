@@ -1,7 +1,6 @@
 // The per-frame half of the spacetime system: the weights of one frame, eliminated.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "rigless/math/dense_solve.h"
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
@@ -46,7 +46,7 @@ class WeightElimination {
     controls_ = controls;
     const auto count = static_cast<Eigen::Index>(controls.size());
     const Eigen::Map<const Matrix> columns(features.data(), static_cast<Eigen::Index>(dimension()), count);
-    gram_.noalias() = columns.transpose() * columns;
+    gram_ = columns.transpose().lazyProduct(columns);
     const S scale = gram_.trace() / static_cast<S>(count);
     ridge_ = std::max(options.tikhonov, S(8) * std::numeric_limits<S>::epsilon() * std::max(scale, S(1e-3)));
     projection_.resize(count);
@@ -64,11 +64,11 @@ class WeightElimination {
     measure(j);
     if (!factorise()) return false;
     // right_ holds [C' b] and becomes L^-1 [C' b], whose products are symmetric to the last bit.
-    system_.template triangularView<Eigen::Lower>().solveInPlace(right_);
+    solve_lower(system_, right_);
     const auto forces = right_.template leftCols<3>();
-    position = base_control() + forces.transpose() * right_.col(3);
-    compliance = forces.transpose() * forces;
-    system_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right_);
+    position = base_control() + forces.transpose().lazyProduct(right_.col(3));
+    compliance = forces.transpose().lazyProduct(forces);
+    solve_lower_transposed(system_, right_);
     write_weights(free, response);
     return true;
   }
@@ -119,8 +119,7 @@ class WeightElimination {
       right_(col, 3) = target;
     }
     if (system_.size() == 0) return true;
-    const Eigen::LLT<Eigen::Ref<Matrix>> in_place(system_);
-    return in_place.info() == Eigen::Success;
+    return cholesky_in_place(system_);
   }
 
   void write_weights(S* free, Vec3<S>* response) const {

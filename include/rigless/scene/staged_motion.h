@@ -24,8 +24,8 @@ struct StagedMotion {
   S source_fps = 0;
 };
 
-// `source`: as standardise() leaves it, with the roles that it found. Allocates. Errors: no_frames; not_finite (where: frame of the source); out_of_memory. On
-// failure `out` keeps what it had.
+// `source`: as standardise() leaves it, with the roles that it found. Allocates. Errors: no_frames; not_finite (where:
+// frame of the source); out_of_memory. On failure `out` keeps what it had.
 template <class S>
 Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion<S>& out) {
   for (std::size_t i = 0; i < source.positions.size(); ++i) {
