@@ -10,7 +10,7 @@ import { type PairLine, PairLines } from "./pair-lines";
 import type { Stage } from "./stage";
 import type { Dot, ViewMode } from "./types";
 
-const DOT_REACH = { mouse: 14, touch: 24 };
+const DOT_REACH = { mouse: 14, touch: 24, chasing: 40 };
 const JOINT_REACH = { mouse: 22, touch: 32 };
 /** Milliseconds between two looks at which dots the mesh hides. */
 const OCCLUSION_PAUSE = 120;
@@ -65,6 +65,12 @@ export class Annotations {
 
   dotAt(at: Point, touch: boolean): DotHit | null {
     return this.overlay.nearest(at.x, at.y, touch ? DOT_REACH.touch : DOT_REACH.mouse);
+  }
+
+  /** The dot of the model that a hand at this place is after; a dot that dances is met with less care. */
+  dotChased(at: Point): DotHit | null {
+    const hit = this.mode === "pose" ? this.overlay.nearest(at.x, at.y, DOT_REACH.chasing) : null;
+    return hit?.on === "model" ? hit : null;
   }
 
   jointAt(at: Point, touch: boolean): number {

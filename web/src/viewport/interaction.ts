@@ -10,10 +10,15 @@ import type { DotHit, DotMark } from "./dot-overlay";
 import { Pointer } from "./pointer";
 import type { ViewportEvents } from "./types";
 
+/** A press this soon after the hand came near is meant for the dot, even where it has danced on by some pixels. */
+const CHASE_MS = 600;
+
 export class Interaction {
   private readonly pointer: Pointer;
   private readonly abort = new AbortController();
   private pressed: DotHit | null = null;
+  private near = false;
+  private nearSince = 0;
   private readonly place = new Vector3();
 
   /** `refresh`: the marks changed. */
@@ -24,6 +29,8 @@ export class Interaction {
     private readonly marks: Annotations,
     private readonly events: Emitter<ViewportEvents>,
     private readonly refresh: () => void,
+    /** The model has just moved by itself. */
+    private readonly moving: () => boolean,
   ) {
     this.pointer = this.listenToPointer();
     this.listenToMarks();
@@ -55,13 +62,15 @@ export class Interaction {
 
   private press(at: Point, touch: boolean): boolean {
     const { marks } = this;
-    this.pressed = marks.dotAt(at, touch);
+    const chasing = !this.near || performance.now() - this.nearSince < CHASE_MS;
+    this.pressed = marks.dotAt(at, touch) ?? (chasing && this.moving() ? marks.dotChased(at) : null);
     if (!marks.live) marks.pointer = null; // until it is up again
     marks.overlay.setHover(null);
     const mark = this.pressed && marks.overlay.find(this.pressed.id, this.pressed.on);
     if (mark) marks.overlay.press(mark);
     const drags = mark !== null && mark.on === "model" && marks.mode === "pose";
     this.element.style.cursor = drags ? "grabbing" : "";
+    this.setNear(drags);
     this.refresh();
     return drags;
   }
@@ -92,8 +101,17 @@ export class Interaction {
     this.events.emit("empty-pick", {});
   }
 
+  /** A dot that dances is hard to catch: say so when a hand comes near. */
+  private setNear(near: boolean): void {
+    if (near === this.near) return;
+    this.near = near;
+    this.nearSince = performance.now();
+    this.events.emit("dot-reach", { near });
+  }
+
   private hover(at: Point | null): void {
     const { marks } = this;
+    this.setNear(at !== null && marks.dotChased(at) !== null);
     marks.pointer = at;
     const hit = at && marks.dotAt(at, false);
     const changed = marks.overlay.setHover(hit);

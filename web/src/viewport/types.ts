@@ -47,6 +47,8 @@ export interface ViewportEvents {
   /** World position that the hand asks for. */
   "dot-move": { id: string; position: [number, number, number] };
   "dot-drop": { id: string };
+  /** The pointer is within reach of a dot of the model, or no longer: what moves should wait for the hand. */
+  "dot-reach": { near: boolean };
   /** Esc or a lost pointer: put it back. */
   "dot-cancel": { id: string };
   /** A click without a drag on a dot, on the model or on the human. */

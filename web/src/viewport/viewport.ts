@@ -29,6 +29,7 @@ export class Viewport implements ViewportApi {
   private readonly abort = new AbortController();
   private dots: readonly Dot[] = [];
   private selected: string | null = null;
+  private movedAt = -Infinity;
   private insets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   private frame = 0;
@@ -56,7 +57,8 @@ export class Viewport implements ViewportApi {
     this.shadow.append(canvas, this.marks.lines.element, this.marks.overlay.element);
     this.paint(theme);
 
-    this.interaction = new Interaction(this.root, this.rig, this.hand, this.marks, this.events, () => this.refreshMarks());
+    this.interaction = new Interaction(this.root, this.rig, this.hand, this.marks, this.events, () => this.refreshMarks(),
+      () => performance.now() - this.movedAt < 1200);
     this.listenToContext(canvas);
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
@@ -77,6 +79,7 @@ export class Viewport implements ViewportApi {
 
   setVertices(positions: Float32Array): void {
     this.figures.setVertices(positions);
+    this.movedAt = performance.now();
     this.invalidate();
   }
 

@@ -16,6 +16,8 @@ export class Player extends Emitter<PlayerEvents> {
   playing = false;
   loop = true;
   speed = 1;
+  /** Playing, but the time stands still: a hand is about to take something that moves. */
+  waiting = false;
   private time = 0;
   private last = 0;
   private request = 0;
@@ -82,7 +84,7 @@ export class Player extends Emitter<PlayerEvents> {
     if (!this.playing) return;
     const before = this.frame;
     // A tab that slept must not jump through the whole dance; a frame's time may lie before the click that began it.
-    this.time += (Math.min(100, Math.max(0, now - this.last)) / 1000) * this.speed;
+    if (!this.waiting) this.time += (Math.min(100, Math.max(0, now - this.last)) / 1000) * this.speed;
     this.last = now;
     const length = this.frames / FPS;
     if (this.time >= length) {

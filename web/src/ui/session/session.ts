@@ -4,15 +4,16 @@
 import * as commands from "../../document/commands";
 import { DocumentStore } from "../../document/store";
 import type { Command, Gesture } from "../../document/store";
-import type { Axis, Example, ProjectDocument, Settings, Vec3 } from "../../document/types";
+import type { Axis, ProjectDocument, Settings } from "../../document/types";
 import { createBrowserEngine } from "../../engine/browser";
 import type { MeshReport, Motion, Performance } from "../../engine/types";
 import { Emitter } from "../../sync/emitter";
-import { exampleControls, jointsOfPose, pointsOfControls } from "../../sync/prepare";
 import type { SolverModel } from "../../sync/prepare";
 import { Workspace } from "../../sync/workspace";
 import type { Insets } from "../../viewport/types";
 import { Viewport } from "../../viewport/viewport";
+import { pickFiles } from "../pick-files";
+import type { FileKind } from "../pick-files";
 import { stem } from "../words";
 import { Builtins } from "./builtins";
 import { Dragging } from "./dragging";
@@ -20,11 +21,14 @@ import type { Drag } from "./dragging";
 import { nextFacing, withUp } from "./facing";
 import { Jobs } from "./jobs";
 import { Meter } from "./meter";
+import { Motions } from "./motions";
+import type { MotionEntry } from "./motions";
 import { Notices } from "./notices";
+import type { NoticeAction } from "./notices";
 import { Opening } from "./opening";
 import { Pairing } from "./pairing";
-import { pickFiles } from "../pick-files";
-import type { FileKind } from "../pick-files";
+import { Points } from "./points";
+import { Poses } from "./poses";
 import { Player } from "./player";
 import { Saving } from "./saving";
 import { Show } from "./show";
@@ -53,14 +57,10 @@ export interface SessionEvents {
   pairing: void;
   /** Saved, or not any more. */
   files: void;
+  /** The stage was built. */
+  stage: void;
 }
 
-export interface MotionEntry {
-  files: readonly string[];
-  builtin: boolean;
-}
-
-const POSED = "You made a pose.";
 const EMPTY = commands.newDocument("Untitled", { file: "", facing: "+z", up: "+y" }, { files: [] });
 
 export class Session extends Emitter<SessionEvents> {
@@ -71,9 +71,12 @@ export class Session extends Emitter<SessionEvents> {
   readonly jobs = new Jobs();
   readonly meter = new Meter(() => this.emit("meter", undefined));
   readonly thumbnails = new Thumbnails(this);
+  readonly points = new Points(this);
   readonly pairing = new Pairing(this);
+  readonly poses = new Poses(this);
   readonly builtins = new Builtins();
-  private readonly dragging = new Dragging(this);
+  readonly motions = new Motions(this);
+  readonly dragging = new Dragging(this);
   readonly sources = new Sources(this.workspace.library);
   private readonly opening = new Opening(this, this.sources);
   private readonly saving = new Saving(this, this.sources);
@@ -106,13 +109,34 @@ export class Session extends Emitter<SessionEvents> {
     this.listenToWorkspace();
   }
 
-  /** Builds the stage in its host and begins with the cactus. */
+  /**
+   * Begins with the cactus. The stage is built while the engine bakes: its shaders keep the page busy, and the engine would
+   * wait for its orders behind them.
+   */
   start(host: HTMLElement): void {
-    this.viewport = new Viewport(host);
-    this.listenToViewport(this.viewport);
     this.hello = true;
     this.emit("hello", undefined);
-    void this.opening.builtin({ first: true });
+    const build = (): void => {
+      if (this.viewport) return;
+      try {
+        this.build(new Viewport(host));
+      } catch (error) {
+        const why = error instanceof Error ? error.message : String(error);
+        this.notices.say({ bad: true, title: "This browser shows no 3D graphics.", text: `Turn on hardware acceleration or try another browser. (${why})` });
+      }
+    };
+    this.workspace.on("performance", () => setTimeout(build)); // after the engine has been told to bake
+    void this.opening.builtin({ first: true }).then((done) => {
+      if (!done) build();
+    });
+  }
+
+  private build(viewport: Viewport): void {
+    this.viewport = viewport;
+    this.listenToViewport(viewport);
+    this.show.everything();
+    if (this.hello) viewport.pulse(this.document.points[0]?.id ?? null);
+    this.emit("stage", undefined);
   }
 
   close(): void {
@@ -125,9 +149,15 @@ export class Session extends Emitter<SessionEvents> {
 
   get document(): ProjectDocument { return this.store.document; }
   get motion(): Motion | null { return this.workspace.motion; }
-  get performance(): Performance | null { return this.workspace.performance; }
   get report(): MeshReport | null { return this.workspace.report; }
   get drag(): Drag | null { return this.dragging.active; }
+
+  /** The dance, unless points came or went since it was solved. */
+  get performance(): Performance | null {
+    const { performance } = this.workspace;
+    return performance && performance.controls.length === 3 * performance.frames * this.document.points.length ? performance : null;
+  }
+
   get canUndo(): boolean { return this.store.canUndo; }
   get canRedo(): boolean { return this.store.canRedo; }
   get canExport(): boolean { return this.performance !== null; }
@@ -140,30 +170,8 @@ export class Session extends Emitter<SessionEvents> {
     return name.charAt(0).toUpperCase() + name.slice(1);
   }
 
-  /** Poses made on the motion that plays, by frame. */
-  get posesHere(): readonly Example[] {
-    return this.document.examples.filter((pose) => this.isHere(pose)).sort((a, b) => a.source.frame - b.source.frame);
-  }
-
-  isHere(pose: Example): boolean {
-    return pose.source.motion === this.motionName;
-  }
-
   get motionName(): string {
     return this.document.motion.files.at(-1) ?? "";
-  }
-
-  /** Built-in motions and those that were opened. */
-  get motions(): readonly MotionEntry[] {
-    const builtin = this.builtins.motions.map((file) => ({ files: [file], builtin: true }));
-    const known = new Set(builtin.map((entry) => entry.files.join("\n")));
-    const opened = this.workspace.library.motionFiles.filter((files) => !known.has(files.join("\n")));
-    return [...builtin, ...opened.map((files) => ({ files, builtin: false }))];
-  }
-
-  /** C x 3 body-local: where a pose puts the points. */
-  targetsOf(pose: Example): Float32Array | null {
-    return this.model ? exampleControls(this.model, this.document, pose) : null;
   }
 
   // Changing the document
@@ -175,7 +183,7 @@ export class Session extends Emitter<SessionEvents> {
 
   undo(): void {
     this.dragging.cancel();
-    this.notices.dismissTitle(POSED);
+    this.notices.retract(this.document);
     this.store.undo();
   }
 
@@ -206,117 +214,9 @@ export class Session extends Emitter<SessionEvents> {
     this.apply(commands.turnMesh(mesh.facing, mesh.up));
   }
 
-  // Points
-
-  /** A new point at a vertex of the model; answers its id. */
-  addPoint(vertex: number): string | null {
-    const { model } = this;
-    if (!model || vertex < 0) return null;
-    const [x, y, z] = model.positions.subarray(3 * vertex, 3 * vertex + 3);
-    const position: Vec3 = [x, y, z];
-    const taken = this.document.points.find((point) => point.position.every((value, k) => value === position[k]));
-    if (taken) return taken.id;
-    const id = commands.freeId(this.document.points, "p");
-    this.apply(commands.addPoint({ id, name: `Point ${this.document.points.length + 1}`, position, joint: null }));
-    this.select(id);
-    return id;
-  }
-
-  renamePoint(id: string, name: string): void {
-    if (name.trim() !== "") this.apply(commands.renamePoint(id, name.trim()));
-    else this.emit("document", undefined);
-  }
-
-  pair(id: string, joint: string | null): void {
-    this.apply(commands.pairPoint(id, joint));
-  }
-
-  deletePoint(id: string): void {
-    const name = this.document.points.find((point) => point.id === id)?.name ?? "A point";
-    this.apply(commands.removePoint(id));
-    if (this.selected === id) this.select(null);
-    if (this.pairing.waiting === id) this.pairing.setWaiting(null);
-    this.notices.say({ title: `${name} is gone.`, text: "Poses forgot it too.", icon: "points", actions: [this.undoAction()] });
-  }
-
-  deleteSelected(): boolean {
-    if (this.selected === null || this.drag) return false;
-    this.deletePoint(this.selected);
-    return true;
-  }
-
-  // Poses
-
-  /** Makes what the hand holds an example at its frame; one that is there already changes. */
-  keepPose(drag: Pick<Drag, "frame" | "targets" | "wasPlaying">): void {
-    const { motion, model, document } = this;
-    if (!motion || !model) return;
-    const size = 3 * motion.joints.length;
-    const joints = jointsOfPose(motion.joints, motion.local.subarray(drag.frame * size, (drag.frame + 1) * size));
-    const points = pointsOfControls(model, document, drag.targets);
-    const old = this.posesHere.find((pose) => pose.source.frame === drag.frame);
-    this.show.pin(drag.frame);
-    this.resume ||= drag.wasPlaying;
-    if (old) this.apply(replaceExample({ ...old, joints, points }));
-    else {
-      const source = { motion: this.motionName, frame: drag.frame };
-      this.apply(commands.addExample({ id: commands.freeId(document.examples, "e"), source, joints, points }));
-    }
-    this.notices.dismissTitle(POSED);
-    const text = old ? `It took the place of the one at frame ${drag.frame}. The whole dance followed.` : "The whole dance followed.";
-    this.notices.say({ title: POSED, text, icon: "poses", actions: [this.undoAction()] });
-  }
-
-  /** The present shape as a pose at this frame, or what the hand holds. */
-  addPose(): void {
-    const { performance, player } = this;
-    if (this.drag) return this.dragging.drop();
-    if (!performance) return;
-    this.goodbye();
-    this.keepPose({ frame: player.frame, targets: this.controlsAt(player.frame), wasPlaying: player.playing });
-  }
-
-  /** Moves a pose to this frame, with the human and the shape that are there. */
-  updatePose(id: string): void {
-    const pose = this.document.examples.find((example) => example.id === id);
-    const { motion, model, player } = this;
-    if (!pose || !motion || !model || !this.performance) return;
-    const size = 3 * motion.joints.length;
-    const joints = jointsOfPose(motion.joints, motion.local.subarray(player.frame * size, (player.frame + 1) * size));
-    const points = pointsOfControls(model, this.document, this.controlsAt(player.frame));
-    this.apply(replaceExample({ ...pose, source: { motion: this.motionName, frame: player.frame }, joints, points }));
-  }
-
-  deletePose(id: string): void {
-    const pose = this.document.examples.find((example) => example.id === id);
-    if (!pose) return;
-    this.apply(commands.removeExample(id));
-    this.notices.say({ title: `The pose at frame ${pose.source.frame} is gone.`, text: "The dance goes on without it.", icon: "poses", actions: [this.undoAction()] });
-  }
-
-  goToPose(id: string): void {
-    const pose = this.document.examples.find((example) => example.id === id);
-    if (!pose || !this.isHere(pose)) return;
-    this.player.pause();
-    this.player.seek(pose.source.frame);
-  }
-
-  /** The next pose before (-1) or after (1) the playhead, around the ends. */
-  toPose(direction: 1 | -1): void {
-    const poses = this.posesHere;
-    const now = this.player.frame;
-    const ahead = direction > 0 ? poses.find((p) => p.source.frame > now) ?? poses[0] : poses.findLast((p) => p.source.frame < now) ?? poses.at(-1);
-    if (ahead) this.goToPose(ahead.id);
-  }
-
-  private controlsAt(frame: number): Float32Array {
-    const size = 3 * this.document.points.length;
-    return this.performance?.controls.slice(frame * size, (frame + 1) * size) ?? new Float32Array(size);
-  }
-
-  undoAction() {
-    const before = this.document;
-    return { label: "Undo", run: () => { if (this.document === before) this.undo(); } };
+  /** Undoes what a notice speaks of. The notice keeps it only as long as nothing else has been done. */
+  undoAction(): NoticeAction {
+    return { label: "Undo", run: () => this.undo(), of: this.document };
   }
 
   // Files
@@ -336,16 +236,22 @@ export class Session extends Emitter<SessionEvents> {
     this.emit("files", undefined);
   }
 
-  get otherDance(): string {
-    return `Try a ${stem(this.otherMotion())}`;
+  /** Plays or pauses; whoever does so wants no more surprises. */
+  togglePlay(): void {
+    this.resume = false;
+    this.player.toggle();
   }
 
-  tryOtherDance(): void {
-    this.useMotion({ files: [this.otherMotion()], builtin: true });
+  /** What the hand holds, or else the present shape, becomes a pose. */
+  keepShape(): void {
+    if (this.drag) this.dragging.drop();
+    else this.poses.add();
   }
 
-  private otherMotion(): string {
-    return this.builtins.motions.find((file) => file !== this.motionName) ?? this.motionName;
+  /** Keeps the hand's shape on the stage until the new dance has one for this frame, and then plays on if it did. */
+  holdShape(frame: number, playOn: boolean): void {
+    this.show.pin(frame);
+    this.resume ||= playOn;
   }
 
   // The page
@@ -398,22 +304,11 @@ export class Session extends Emitter<SessionEvents> {
     return true;
   }
 
-  /** Arrow keys on a point of the list move it by 1 cm, with Shift by 2 mm. */
-  nudgeKey(id: string, event: KeyboardEvent): void {
-    const by = event.shiftKey ? 0.002 : 0.01;
-    const way: Record<string, readonly [number, number, number]> = {
-      ArrowLeft: [-by, 0, 0], ArrowRight: [by, 0, 0], ArrowUp: [0, by, 0], ArrowDown: [0, -by, 0],
-    };
-    const delta = way[event.key];
-    if (!delta) return;
-    event.preventDefault();
-    this.dragging.nudge(id, delta);
-  }
-
   showFrame(): void { this.show.frame(); }
 
   private documentChanged(): void {
     if (this.selected && !this.document.points.some((point) => point.id === this.selected)) this.selected = null;
+    this.notices.outdate(this.document);
     this.show.dots();
     this.emit("document", undefined);
     this.emit("files", undefined);
@@ -452,6 +347,9 @@ export class Session extends Emitter<SessionEvents> {
     viewport.on("dot-move", ({ position }) => this.dragging.move(position));
     viewport.on("dot-drop", () => this.dragging.drop());
     viewport.on("dot-cancel", () => this.dragging.cancel());
+    viewport.on("dot-reach", ({ near }) => {
+      this.player.waiting = near;
+    });
     viewport.on("dot-pick", ({ id, on }) => this.pairing.dot(id, on));
     viewport.on("surface-pick", ({ vertex }) => this.pairing.surface(vertex));
     viewport.on("joint-pick", ({ joint }) => this.pairing.joint(joint));
@@ -462,8 +360,4 @@ export class Session extends Emitter<SessionEvents> {
       this.show.everything();
     });
   }
-}
-
-function replaceExample(example: Example): Command {
-  return (document) => ({ ...document, examples: document.examples.map((old) => (old.id === example.id ? example : old)) });
 }
