@@ -72,6 +72,11 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     this.engine = createEngine();
   }
 
+  /** The model that was told last. */
+  get model(): SolverModel | null {
+    return this.announced.model;
+  }
+
   /** Brings the engine to the present document. Resolves when that or a newer document has been solved and baked. */
   sync(): Promise<void> {
     if (this.interruptible) this.abort.abort();
@@ -193,6 +198,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     const turned = announced.mesh?.facing !== bound.mesh?.facing || announced.mesh?.up !== bound.mesh?.up;
     if (bound.model && this.boundReport && (announced.model !== bound.model || turned)) {
       this.report = this.boundReport;
+      this.announced = { ...announced, model: bound.model, mesh: bound.mesh };
       this.cache.clear();
       this.performance = null;
       this.emit("mesh", this.report);

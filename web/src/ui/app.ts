@@ -114,7 +114,7 @@ export class App extends LitElement {
   protected override firstUpdated(): void {
     this.session.start(this.host);
     globalThis.rigless = debugHandle(this.session);
-    for (const topic of ["verb", "notices", "hello", "jobs", "pairing"] as const) this.session.on(topic, () => this.reframe());
+    for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "stage"] as const) this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;
       this.requestUpdate();

@@ -1,6 +1,6 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test } from "@playwright/test";
-import { documentOf, open, pause, settled } from "./page";
+import { documentOf, open, pauseBetweenPoses, settled } from "./page";
 
 for (const scheme of ["light", "dark"] as const) {
   test(`axe finds nothing serious, ${scheme}`, async ({ page }) => {
@@ -23,7 +23,7 @@ test("where motion is unwelcome the page opens paused", async ({ page }) => {
 
 test("a pose by the keyboard alone: arrows on a point of the list move it", async ({ page }) => {
   await open(page);
-  await pause(page);
+  await pauseBetweenPoses(page);
   const before = await documentOf(page);
   await page.keyboard.press("3");
   const top = page.locator("rigless-panel-points .item").first();

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { dance, documentOf, dotAt, dragBy, open, pause, settled, vertices, watchErrors } from "./page";
+import { dance, documentOf, dotAt, dragBy, open, pause, pauseBetweenPoses, settled, vertices, watchErrors } from "./page";
 
 test("a cold page dances with nothing clicked and nothing wrong", async ({ page }) => {
   const errors = watchErrors(page);
@@ -20,7 +20,7 @@ test("a cold page dances with nothing clicked and nothing wrong", async ({ page 
 test("dragging a dot makes a pose, the whole dance follows, and one undo brings it back bit by bit", async ({ page }) => {
   const errors = watchErrors(page);
   await open(page);
-  await pause(page);
+  await pauseBetweenPoses(page);
   const before = { document: await documentOf(page), dance: await dance(page) };
   const at = await dotAt(page, "Top");
   await dragBy(page, at, 70, -40);
@@ -63,7 +63,7 @@ test("Esc lets go of a dot and nothing has happened", async ({ page }) => {
 
 test("dragging again at the same frame changes that pose", async ({ page }) => {
   await open(page);
-  await pause(page);
+  await pauseBetweenPoses(page);
   const count = (await documentOf(page)).examples.length;
   for (const name of ["Top", "Left arm"]) {
     await dragBy(page, await dotAt(page, name), 30, -20);

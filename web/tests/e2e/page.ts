@@ -28,6 +28,16 @@ export async function pause(page: Page): Promise<void> {
   if (await page.evaluate(() => rigless?.playing)) await page.getByRole("button", { name: "Pause" }).click();
 }
 
+/** Pauses at a frame that has no pose of its own. */
+export async function pauseBetweenPoses(page: Page): Promise<void> {
+  await pause(page);
+  const { examples, motion } = await documentOf(page);
+  const taken = new Set(examples.filter((pose) => pose.source.motion === motion.files.at(-1)).map((pose) => pose.source.frame));
+  let frame = 40;
+  while (taken.has(frame)) frame++;
+  await page.getByRole("slider", { name: "Frame" }).fill(String(frame));
+}
+
 export function vertices(page: Page, frame: number): Promise<number[] | null> {
   return page.evaluate((f) => {
     const positions = rigless?.vertices(f);

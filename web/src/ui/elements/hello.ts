@@ -37,11 +37,12 @@ export class Hello extends SessionElement {
 
   protected override render() {
     const { session } = this;
+    const { other } = session.motions;
     if (!session.hello || session.verb !== null) return "";
     return html`
       ${session.notices.shown.length > 0 ? "" : html`<p class="line">This cactus has no bones. <b>Drag any dot.</b></p>`}
       <div class="chips">
-        <button class="chip" @click=${() => session.tryOtherDance()}>${session.otherDance}</button>
+        ${other ? html`<button class="chip" @click=${() => session.useMotion(other)}>${session.motions.invitation}</button>` : ""}
         <button class="chip" @click=${() => session.pickFiles()}>${icon("file")}Use my model</button>
       </div>
     `;

@@ -12,12 +12,11 @@ export class MotionPanel extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const now = session.document.motion.files;
     const motion = session.motion;
     return html`<section class="panel" aria-label="Motion">
       <h2>Motion <button class="btn line" @click=${() => session.pickFiles("motion")}>Open</button></h2>
-      <ul>${session.motions.map((entry) => html`<li>
-        <button class="item" aria-pressed=${entry.files.join() === now.join()} @click=${() => session.useMotion(entry)}>
+      <ul>${session.motions.list.map((entry) => html`<li>
+        <button class="item" aria-pressed=${session.motions.isPlaying(entry)} @click=${() => session.useMotion(entry)}>
           ${icon("motion")}<span>${stem(entry.files.at(-1) ?? "")}</span><small>${entry.builtin ? "built in" : ""}</small></button></li>`)}
       </ul>
       ${motion ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)}; ${count(motion.joints.length, "joint")}.

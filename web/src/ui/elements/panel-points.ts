@@ -27,7 +27,7 @@ export class PointsPanel extends SessionElement {
     const { session } = this;
     const on = session.selected === point.id;
     return html`<li>
-      <button class="item" aria-pressed=${on} @click=${() => session.select(on ? null : point.id)} @keydown=${(event: KeyboardEvent) => session.nudgeKey(point.id, event)}>
+      <button class="item" aria-pressed=${on} @click=${() => session.select(on ? null : point.id)} @keydown=${(event: KeyboardEvent) => session.dragging.key(point.id, event)}>
         ${badge(number, { weak: point.joint === null })}<span>${point.name}</span><small>${point.joint ? jointName(point.joint) : "not paired"}</small></button>
       ${on ? this.renderDetails(point) : nothing}
     </li>`;
@@ -38,13 +38,13 @@ export class PointsPanel extends SessionElement {
     const joints = session.motion?.joints ?? [];
     return html`<div class="more">
       <label class="pair">Name <input .value=${point.name} autocomplete="off" spellcheck="false" @change=${(event: Event) =>
-        session.renamePoint(point.id, (event.target as HTMLInputElement).value)} /></label>
+        session.points.rename(point.id, (event.target as HTMLInputElement).value)} /></label>
       <label class="pair">Moved by <select @change=${(event: Event) =>
-        session.pair(point.id, (event.target as HTMLSelectElement).value || null)}>
+        session.points.pair(point.id, (event.target as HTMLSelectElement).value || null)}>
         <option value="" ?selected=${point.joint === null}>the whole pose</option>
         ${joints.map((joint) => html`<option value=${joint.name} ?selected=${joint.name === point.joint}>${jointName(joint.name)}</option>`)}
       </select></label>
-      <div class="row-acts"><button class="btn" @click=${() => session.deletePoint(point.id)}>Delete</button></div>
+      <div class="row-acts"><button class="btn" @click=${() => session.points.remove(point.id)}>Delete</button></div>
     </div>`;
   }
 }

@@ -27,23 +27,23 @@ export class PosesPanel extends SessionElement {
     const { session } = this;
     const { examples } = session.document;
     return html`<section class="panel" aria-label="Poses">
-      <h2>Poses <button class="btn line" ?disabled=${!session.canPose} @click=${() => session.addPose()}>Add</button></h2>
+      <h2>Poses <button class="btn line" ?disabled=${!session.canPose} @click=${() => session.keepShape()}>Add</button></h2>
       ${examples.length === 0 ? html`<p class="note">Stop at a frame, drag a dot and let go: that is a pose. Two are enough to start.</p>` : nothing}
-      <ul>${[...session.posesHere, ...examples.filter((pose) => !session.isHere(pose))].map((pose) => this.renderPose(pose))}</ul>
+      <ul>${[...session.poses.here, ...examples.filter((pose) => !session.poses.isHere(pose))].map((pose) => this.renderPose(pose))}</ul>
     </section>`;
   }
 
   private renderPose(pose: Example) {
     const { session } = this;
-    const here = session.isHere(pose);
+    const here = session.poses.isHere(pose);
     const now = here && pose.source.frame === session.player.frame;
     const picture = session.thumbnails.of(pose);
     return html`<li class="row ${now ? "now" : ""}">
-      <button class="item" ?disabled=${!here} @click=${() => session.goToPose(pose.id)}>
+      <button class="item" ?disabled=${!here} @click=${() => session.poses.goTo(pose.id)}>
         <span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span>
         <span>Frame ${pose.source.frame}<small>${stem(pose.source.motion)}</small></span></button>
-      ${here && !now ? html`<button class="btn update" title="Take the shape at frame ${session.player.frame} instead" @click=${() => session.updatePose(pose.id)}>Update</button>` : nothing}
-      <button class="btn icon" aria-label="Delete the pose at frame ${pose.source.frame}" @click=${() => session.deletePose(pose.id)}>${icon("bin")}</button>
+      ${here && !now ? html`<button class="btn update" title="Take the shape at frame ${session.player.frame} instead" @click=${() => session.poses.update(pose.id)}>Update</button>` : nothing}
+      <button class="btn icon" aria-label="Delete the pose at frame ${pose.source.frame}" @click=${() => session.poses.remove(pose.id)}>${icon("bin")}</button>
     </li>`;
   }
 }

@@ -96,7 +96,7 @@ export class Timeline extends SessionElement {
 
   private renderPoses(last: number) {
     const { session } = this;
-    const poses = session.posesHere;
+    const poses = session.poses.here;
     const now = session.player.frame;
     return html`<div class="lane poses">
       ${poses.map((pose) => {
@@ -104,7 +104,7 @@ export class Timeline extends SessionElement {
         const picture = session.thumbnails.of(pose);
         return html`<button class="pose ${frame === now ? "sel" : ""}" style="--f:${(100 * Math.min(frame, last)) / last}%"
           aria-label="Pose at frame ${frame}" aria-current=${frame === now ? "true" : nothing}
-          @click=${() => session.goToPose(pose.id)}><span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span></button>`;
+          @click=${() => session.poses.goTo(pose.id)}><span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span></button>`;
       })}
       ${poses.length === 0 && session.player.frames > 0 ? html`<span class="hint">Drag a dot at any frame: that becomes a pose.</span>` : ""}
     </div>`;

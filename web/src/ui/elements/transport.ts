@@ -37,18 +37,18 @@ export class Transport extends SessionElement {
     const { session } = this;
     const { player } = session;
     const empty = player.frames === 0;
-    const poses = session.posesHere.length > 0;
+    const poses = session.poses.here.length > 0;
     return html`
-      <button class="btn icon" aria-label="Previous pose" title="Previous pose ([)" ?disabled=${!poses} @click=${() => session.toPose(-1)}>${icon("previous")}</button>
+      <button class="btn icon" aria-label="Previous pose" title="Previous pose ([)" ?disabled=${!poses} @click=${() => session.poses.step(-1)}>${icon("previous")}</button>
       <button class="play" aria-label=${player.playing ? "Pause" : "Play"} title="${player.playing ? "Pause" : "Play"} (Space)" ?disabled=${empty}
-        @click=${() => player.toggle()}>${player.playing ? pauseMark : playMark}</button>
-      <button class="btn icon" aria-label="Next pose" title="Next pose (])" ?disabled=${!poses} @click=${() => session.toPose(1)}>${icon("next")}</button>
+        @click=${() => session.togglePlay()}>${player.playing ? pauseMark : playMark}</button>
+      <button class="btn icon" aria-label="Next pose" title="Next pose (])" ?disabled=${!poses} @click=${() => session.poses.step(1)}>${icon("next")}</button>
       <span class="frame">${player.frame}<small>of ${Math.max(0, player.frames - 1)} &nbsp;·&nbsp; ${seconds(player.frame / FPS)}</small></span>
       <span class="grow"></span>
       <i class="rule desk" hidden></i>
       <button class="btn icon loop desk" aria-pressed=${player.loop} aria-label="Loop" title="Loop" @click=${() => player.setLoop(!player.loop)}>${icon("loop")}</button>
       <button class="btn desk" aria-label="Speed ${player.speed} times" title="Speed" @click=${this.nextSpeed}>${player.speed}×</button>
-      <button class="btn line" title="Add a pose at this frame (K)" ?disabled=${!session.canPose} @click=${() => session.addPose()}>${icon("addPose")}Add pose <kbd>K</kbd></button>
+      <button class="btn line" title="Add a pose at this frame (K)" ?disabled=${!session.canPose} @click=${() => session.keepShape()}>${icon("addPose")}Add pose <kbd>K</kbd></button>
     `;
   }
 

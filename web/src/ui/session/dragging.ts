@@ -61,8 +61,20 @@ export class Dragging {
     this.session.emit("drag", undefined);
   }
 
+  /** Arrow keys on a point of the list: 1 cm, with Shift 2 mm. */
+  key(id: string, event: KeyboardEvent): void {
+    const by = event.shiftKey ? 0.002 : 0.01;
+    const ways: Readonly<Record<string, readonly [number, number, number]>> = {
+      ArrowLeft: [-by, 0, 0], ArrowRight: [by, 0, 0], ArrowUp: [0, by, 0], ArrowDown: [0, -by, 0],
+    };
+    const way = ways[event.key];
+    if (!way) return;
+    event.preventDefault();
+    this.nudge(id, way);
+  }
+
   /** Takes a point by the keyboard and moves it by stage metres; it drops by itself when the keys rest. */
-  nudge(id: string, delta: readonly [number, number, number]): void {
+  private nudge(id: string, delta: readonly [number, number, number]): void {
     if (this.active?.id !== id) this.grab(id);
     const { active } = this;
     if (!active) return;
@@ -90,7 +102,7 @@ export class Dragging {
       return;
     }
     this.end();
-    session.keepPose(active);
+    session.poses.keep(active);
     session.workspace.release();
   }
 

@@ -35,17 +35,17 @@ export function handleKey(session: Session, event: KeyboardEvent): boolean {
   switch (key) {
     case " ":
       if (onButton(event)) return false;
-      player.toggle();
+      session.togglePlay();
       return true;
     case ",": player.step(-1); return true;
     case ".": player.step(1); return true;
-    case "[": session.toPose(-1); return true;
-    case "]": session.toPose(1); return true;
-    case "k": session.addPose(); return true;
+    case "[": session.poses.step(-1); return true;
+    case "]": session.poses.step(1); return true;
+    case "k": session.keepShape(); return true;
     case "f": session.fit(); return true;
     case "?": session.setHelp(true); return true;
     case "Escape": return session.escape();
-    case "Delete": return session.deleteSelected();
+    case "Delete": return session.points.removeSelected();
     default: return false;
   }
 }

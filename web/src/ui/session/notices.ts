@@ -1,9 +1,12 @@
+import type { ProjectDocument } from "../../document/types";
 import { Emitter } from "../../sync/emitter";
 import type { IconName } from "../icons";
 
 export interface NoticeAction {
   label: string;
   run: () => void;
+  /** The document that it makes sense for; left out: always. */
+  of?: ProjectDocument;
 }
 
 export interface Notice {
@@ -50,7 +53,21 @@ export class Notices extends Emitter<{ change: void }> {
     this.emit("change", undefined);
   }
 
-  /** Takes back what an action has made untrue, e.g. "You made a pose" after its undo. */
+  /** A document is taken back: so is what was said of it. */
+  retract(document: ProjectDocument): void {
+    this.list = this.list.filter((notice) => notice.actions.every((action) => action.of !== document));
+    this.emit("change", undefined);
+  }
+
+  /** Something else was done: what was said stays, what could be done about it goes. */
+  outdate(present: ProjectDocument): void {
+    const holds = (action: NoticeAction): boolean => action.of === undefined || action.of === present;
+    if (this.list.every((notice) => notice.actions.every(holds))) return;
+    this.list = this.list.map((notice) => ({ ...notice, actions: notice.actions.filter(holds) }));
+    this.emit("change", undefined);
+  }
+
+  /** Takes back what has become untrue. */
   dismissTitle(title: string): void {
     const found = this.list.find((notice) => notice.title === title);
     if (found) this.dismiss(found.id);

@@ -12,7 +12,8 @@ import type { Taken } from "../../sync/workspace";
 import { modelText, motionText } from "./file-words";
 import type { JobHandle } from "./jobs";
 import type { NoticeInput } from "./notices";
-import type { MotionEntry, Session } from "./session";
+import type { MotionEntry } from "./motions";
+import type { Session } from "./session";
 import type { Sources } from "./sources";
 
 /** From files to the document. What cannot be opened leaves everything as it was and says so. */
@@ -22,9 +23,9 @@ export class Opening {
     private readonly sources: Sources,
   ) {}
 
-  /** The cactus and its dance, as one step. */
-  async builtin({ first }: { first: boolean }): Promise<void> {
-    await this.guarded("The cactus", async () => {
+  /** The cactus and its dance, as one step; false if that failed. */
+  async builtin({ first }: { first: boolean }): Promise<boolean> {
+    return this.guarded("The cactus", async () => {
       const { session } = this;
       const { builtins } = session;
       const motionFile = builtins.motions[0] ?? "";
@@ -130,16 +131,18 @@ export class Opening {
     return taken;
   }
 
-  /** Says what went wrong in the words of whoever found it. */
-  private async guarded(what: string, work: () => Promise<void>): Promise<void> {
+  /** Says what went wrong in the words of whoever found it; answers whether nothing did. */
+  private async guarded(what: string, work: () => Promise<void>): Promise<boolean> {
     try {
       await work();
+      return true;
     } catch (error) {
-      if (error instanceof EngineError && error.code === "cancelled") return;
-      if (error instanceof DOMException && error.name === "AbortError") return;
+      if (error instanceof EngineError && error.code === "cancelled") return false;
+      if (error instanceof DOMException && error.name === "AbortError") return false;
       const message = error instanceof Error ? error.message : String(error);
       const named = what.split(", ").some((name) => message.includes(baseName(name)));
       this.refuse(named ? message : `${what}: ${message}`, true);
+      return false;
     }
   }
 

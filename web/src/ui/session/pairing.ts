@@ -26,7 +26,7 @@ export class Pairing {
 
   surface(vertex: number): void {
     if (!this.adding) return;
-    const id = this.session.addPoint(vertex);
+    const id = this.session.points.add(vertex);
     if (id) this.setWaiting(id);
   }
 
@@ -34,7 +34,7 @@ export class Pairing {
     const name = this.session.motion?.joints[joint]?.name;
     const id = this.waiting ?? this.session.selected;
     if (!name || !id) return;
-    this.session.pair(id, name);
+    this.session.points.pair(id, name);
     this.setWaiting(null);
   }
 
@@ -42,7 +42,7 @@ export class Pairing {
     if (this.waiting && on === "human") {
       const point = this.session.document.points.find((other) => other.id === id);
       if (point?.joint) {
-        this.session.pair(this.waiting, point.joint);
+        this.session.points.pair(this.waiting, point.joint);
         this.setWaiting(null);
         return;
       }

@@ -62,7 +62,7 @@ export class Show {
   dots(): void {
     const { session } = this;
     const { model, motion, document } = session;
-    if (!model) return;
+    if (!model || session.workspace.model !== model) return; // the engine is not there yet; model() comes back
     const vertices = pointVertices(model, document.points);
     const pairs = motion ? retargetInput(model, { ...document, examples: [] }, motion).pairs : null;
     const dots = document.points.map(({ id, name }, k): Dot => ({ id, number: k + 1, name, vertex: vertices[k], joint: pairs?.[k] ?? -1 }));

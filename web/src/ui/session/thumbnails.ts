@@ -8,6 +8,7 @@ const SIZE = 80;
 export class Thumbnails {
   rest: string | null = null;
   private pictures = new WeakMap<Example, string>();
+  private restPositions: Float32Array | null = null;
   private working = false;
 
   constructor(private readonly session: Session) {}
@@ -19,8 +20,10 @@ export class Thumbnails {
   /** The mesh changed: no picture is true any more. */
   reset(restPositions: Float32Array): void {
     this.pictures = new WeakMap();
-    this.rest = this.session.viewport?.thumbnail(restPositions, SIZE) ?? null;
+    this.restPositions = restPositions;
+    this.rest = null;
     this.session.emit("thumbs", undefined);
+    void this.update();
   }
 
   /** Makes what is missing, one by one. */
@@ -29,10 +32,17 @@ export class Thumbnails {
     this.working = true;
     try {
       for (;;) {
+        await idle();
         const { session } = this;
+        if (session.solving) return;
+        if (this.rest === null && this.restPositions && session.viewport) {
+          this.rest = session.viewport.thumbnail(this.restPositions, SIZE);
+          session.emit("thumbs", undefined);
+          continue;
+        }
         const pose = session.document.examples.find((example) => !this.pictures.has(example));
-        if (!pose || !session.viewport || session.drag || session.solving || !session.performance) return;
-        const targets = session.targetsOf(pose);
+        if (!pose || !session.viewport || session.drag || !session.performance) return;
+        const targets = session.poses.targetsOf(pose);
         if (!targets) return;
         // A drag takes a few iterations from where the last one left the surface; a picture wants the end of it.
         for (let k = 0; k < 4; k++) {
@@ -48,4 +58,12 @@ export class Thumbnails {
       this.working = false;
     }
   }
+}
+
+/** Pictures cost the graphics card; the dance comes first. */
+function idle(): Promise<void> {
+  return new Promise((resolve) => {
+    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: 1000 });
+    else setTimeout(resolve, 100);
+  });
 }
