@@ -4,18 +4,10 @@ import { debugHandle } from "./handle";
 import { handleKey } from "./session/keys";
 import { Session } from "./session/session";
 import { base } from "./styles";
-import "./elements/drop-overlay";
 import type { Hello } from "./elements/hello";
 import "./elements/hello";
-import "./elements/help";
 import "./elements/inspector";
-import "./elements/job-card";
 import "./elements/notices";
-import "./elements/panel-model";
-import "./elements/panel-motion";
-import "./elements/panel-points";
-import "./elements/panel-poses";
-import "./elements/prompt";
 import "./elements/rail";
 import "./elements/status";
 import "./elements/timeline";
@@ -114,6 +106,7 @@ export class App extends LitElement {
   protected override firstUpdated(): void {
     this.session.start(this.host);
     globalThis.rigless = debugHandle(this.session);
+    for (const topic of ["verb", "help", "jobs"] as const) this.session.on(topic, () => this.loadLate());
     for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "stage"] as const) this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;
@@ -182,8 +175,16 @@ export class App extends LitElement {
       void this.session.openFiles(files);
     } else if (event.type === "dragleave") {
       if (event.relatedTarget === null) this.dropping = false;
-    } else this.dropping = true;
+    } else {
+      this.loadLate();
+      this.dropping = true;
+    }
   };
+
+  /** Elements in the page come alive when their code is there. */
+  private loadLate(): void {
+    void import("./elements/late").then(() => this.reframe());
+  }
 
   /** Measures once what has been drawn by then. */
   private reframe(): void {

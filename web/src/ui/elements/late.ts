@@ -1,0 +1,10 @@
+// What nobody sees before they ask for it: not part of the first load.
+
+import "./drop-overlay";
+import "./help";
+import "./job-card";
+import "./panel-model";
+import "./panel-motion";
+import "./panel-points";
+import "./panel-poses";
+import "./prompt";
