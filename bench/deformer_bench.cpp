@@ -1,0 +1,202 @@
+// The deformer by itself and against the textbook: an iteration and its parts, a frame, binding, controls that come and
+// go, memory.
+#include <cmath>
+#include <limits>
+
+#include "harness.h"
+#include "meshes.h"
+#include "rigless/deform/deformer.h"
+#include "textbook.h"
+
+namespace {
+
+using rigless::Deformer;
+using rigless::Handle;
+using rigless::Span;
+using rigless_bench::Bench;
+using rigless_bench::Mesh;
+using rigless_bench::Pull;
+using Vec3f = rigless::Vec3<float>;
+
+constexpr float rigid = std::numeric_limits<float>::infinity();
+
+void check(rigless::Status status) {
+  if (!status.ok()) rigless_bench::fail("the deformer refused");
+}
+
+Deformer<float> bound(const Mesh& mesh, const Pull<float>& pull, float elastic) {
+  Deformer<float> deformer;
+  check(deformer.bind(mesh.rest<float>(), mesh.faces, {elastic, {}}));
+  check(deformer.set_handles(pull.handles));
+  deformer.set_targets(pull.targets);
+  return deformer;
+}
+
+// An iteration against the textbook's, after both went 30 from the same start to the same energy.
+void against_textbook(Bench& bench, const Mesh& mesh) {
+  const Pull<float> pull = rigless_bench::pull<float>(mesh, 0.1f);
+  Deformer<float> ours = bound(mesh, pull, rigid);
+  const rigless::Cells<double> cells = rigless_bench::in_double(ours.cells());
+  std::vector<std::int32_t> controls;
+  for (const auto& handle : pull.handles) controls.push_back(handle.vertex);
+  rigless_bench::TextbookArap textbook(cells, controls);
+  if (!textbook.ok()) rigless_bench::fail("the textbook's system is singular");
+  textbook.set_targets(rigless_bench::in_double(Span<const Vec3f>(pull.targets)));
+  ours.start();
+  textbook.set_shape(rigless_bench::in_double(ours.shape()));
+  ours.step(30);
+  for (int it = 0; it < 30; ++it) textbook.step();
+  const rigless::ElasticScale<double> elastic{std::numeric_limits<double>::infinity()};
+  const double e = rigless::shape_energy<double>(cells, rigless_bench::in_double(ours.shape()), elastic);
+  const double reference = rigless::shape_energy<double>(cells, textbook.shape(), elastic);
+  const double apart = std::abs(e / reference - 1);
+  bench.figure(mesh.name + ": energy after 30 iterations: off the textbook's", apart, "relative");
+  if (!(apart < 1e-5)) rigless_bench::fail("not the textbook's energy");
+  const bool large = mesh.vertices.size() > 20000;
+  bench.compare(mesh.name, {{"iteration", [&] { ours.step(1); }}, {"textbook iteration", [&] { textbook.step(); }}},
+                large ? 9 : 15);
+}
+
+// What a frame costs in iterations; controls are discs as in the product.
+void frames(Bench& bench, const Mesh& mesh) {
+  const Pull<float> pull = rigless_bench::pull<float>(mesh, 0.1f, 0.05f),
+                    single = rigless_bench::pull<float>(mesh, 0.1f);
+  Deformer<float> arap = bound(mesh, single, rigid), cartoon = bound(mesh, single, 0.5f),
+                  discs = bound(mesh, pull, 0.5f);
+  for (auto* deformer : {&arap, &cartoon, &discs}) {
+    deformer->start();
+    deformer->relax(10);
+  }
+  const auto frame = [](Deformer<float>& deformer) {
+    deformer.step(2);
+    deformer.pose(1.0f);
+  };
+  bench.compare(mesh.name,
+                {{"3 iterations", [&] { arap.step(3); }},
+                 {"cartoon frame of 2 iterations and pose", [&] { frame(cartoon); }},
+                 {"cartoon frame with discs of 5 % height", [&] { frame(discs); }}},
+                25);
+  bench.compare(mesh.name,
+                {{"10 iterations", [&] { discs.step(10); }}, {"10 iterations with momentum", [&] { discs.relax(10); }}},
+                9);
+  const Deformer<float>& still = discs;
+  bench.run(mesh.name + ": set_targets", [&] { discs.set_targets(pull.targets); });
+  bench.run(mesh.name + ": pose", [&] { discs.pose(1.0f); });
+  bench.run(mesh.name + ": reset", [&] { discs.reset(); });
+  bench.run(mesh.name + ": start", [&] { discs.start(); });
+  bench.run(
+      mesh.name + ": frame from rest (start and 20 with momentum and pose)",
+      [&] {
+        discs.start();
+        discs.relax(20);
+        discs.pose(1.0f);
+      },
+      15);
+  bench.figure(mesh.name + ": memory", static_cast<double>(still.bytes()) / still.vertices(), "bytes a vertex");
+}
+
+// The two halves of an iteration, on their own data.
+void parts(Bench& bench, const Mesh& mesh) {
+  const auto rest = mesh.rest<float>();
+  rigless::Cells<float> cells;
+  cells.rest = rest;
+  const auto n = static_cast<std::int32_t>(rest.size());
+  const std::string name = mesh.name + ": bind: ";
+  const std::size_t runs = 7;
+  bench.run(
+      name + "one-rings", [&] { cells.ring = rigless::one_ring(mesh.faces, n); }, runs);
+  bench.run(
+      name + "look for loose shells", [&] { rigless::tie_shells<float>(rest, cells.ring); }, runs);
+  bench.run(
+      name + "weights", [&] { cells.weight = rigless::cotangent_weights<float>(rest, mesh.faces, cells.ring); }, runs);
+  measure_cells(cells);
+  bench.run(
+      name + "ordering", [&] { rigless::detail::minimum_degree_order(cells.ring.first, cells.ring.neighbor); }, runs);
+  rigless::SupernodalLdlt<float> ldlt;
+  bench.run(
+      name + "analysis with ordering", [&] { ldlt.analyze(cells.ring.first, cells.ring.neighbor); }, runs);
+  rigless::CellSlices<float> slices;
+  bench.run(
+      name + "slices", [&] { slices = slice_cells(cells, ldlt.place(), ldlt.vertex_at()); }, runs);
+
+  std::vector<float> diagonal(rest.size(), 0.0f), coupling(cells.weight.size());
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    for (auto k = static_cast<std::size_t>(cells.ring.first[i]); k < static_cast<std::size_t>(cells.ring.first[i + 1]);
+         ++k) {
+      diagonal[i] += cells.weight[k];
+      coupling[k] = -cells.weight[k];
+    }
+  }
+  diagonal[0] += 1.0f;
+  bench.run(
+      name + "factorisation", [&] { check(ldlt.factorize(diagonal, coupling)); }, runs);
+
+  using Quad = rigless::simd::Quad<float>;
+  std::vector<Quad> x(rest.size() + 1, Quad{}), r(rest.size() + 1, Quad{});
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const Vec3f& p = rest[static_cast<std::size_t>(ldlt.vertex_at()[i])];
+    x[i] = Quad{1.1f * p.x(), 0.9f * p.y() + 0.1f * p.x(), p.z(), 0.0f};
+  }
+  const double per_vertex = 1e6 / static_cast<double>(n);
+  const double local = bench.run(mesh.name + ": local step", [&] {
+    rigless::shape_step<false>(slices, x.data(), rigless::ElasticScale<float>{rigid}, r.data());
+  });
+  const double solve = bench.run(mesh.name + ": solve", [&] {
+    std::copy(x.begin(), x.end(), r.begin());
+    ldlt.solve(r.data());
+  });
+  bench.figure(mesh.name + ": local step for each vertex", local * per_vertex, "ns");
+  bench.figure(mesh.name + ": solve for each vertex", solve * per_vertex, "ns");
+  bench.figure(mesh.name + ": factor", static_cast<double>(ldlt.stored()) / n, "numbers a vertex");
+}
+
+// A disc of about `size` vertices around this one.
+Handle<float> disc(const rigless::Cells<float>& cells, std::int32_t vertex, std::size_t size) {
+  const auto reached = rigless::vertices_within<float>(cells.rest, cells.ring, vertex, 1e30f);
+  return {vertex, reached[std::min(size, reached.size()) - 1].distance};
+}
+
+void controls(Bench& bench, const Mesh& mesh) {
+  const Pull<float> pull = rigless_bench::pull<float>(mesh, 0.1f, 0.05f);
+  const auto rest = mesh.rest<float>();
+  Deformer<float> deformer;
+  const std::size_t runs = mesh.vertices.size() > 20000 ? 7 : 15;
+  bench.run(
+      mesh.name + ": bind", [&] { check(deformer.bind(rest, mesh.faces)); }, runs);
+  bench.run(
+      mesh.name + ": bind and first set_handles",
+      [&] {
+        check(deformer.bind(rest, mesh.faces));
+        check(deformer.set_handles(pull.handles));
+      },
+      runs);
+  // Where the new one sits in the elimination tree decides what it costs, so try it in many places.
+  const auto n = static_cast<std::size_t>(deformer.vertices());
+  for (const std::size_t size : {1, 150}) {
+    std::vector<std::vector<Handle<float>>> more;
+    for (std::size_t k = 0; k < 12; ++k) {
+      more.push_back(pull.handles);
+      more.back().push_back(disc(deformer.cells(), static_cast<std::int32_t>((k * n + n / 3) / 12), size));
+    }
+    const std::string what = size == 1 ? "a vertex" : "a disc of 150 vertices";
+    std::size_t k = 0;
+    const auto add = [&] { check(deformer.set_handles(more[k++ % more.size()])); };
+    const auto remove = [&] { check(deformer.set_handles(pull.handles)); };
+    bench.run(mesh.name + ": add " + what, add, 60, remove);
+    bench.run(mesh.name + ": remove " + what, remove, 60, add);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Bench bench(argc, argv);
+  const auto all = bench.small() ? rigless_bench::meshes({}, {24})
+                                 : rigless_bench::meshes({"spot.obj", "cheburashka.off", "armadillo.obj"}, {54, 208});
+  for (const Mesh& mesh : all) {
+    against_textbook(bench, mesh);
+    frames(bench, mesh);
+    parts(bench, mesh);
+    controls(bench, mesh);
+  }
+}
