@@ -63,7 +63,7 @@ export class Thumbnails {
 /** Pictures cost the graphics card; the dance comes first. */
 function idle(): Promise<void> {
   return new Promise((resolve) => {
-    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: 1000 });
+    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: 250 });
     else setTimeout(resolve, 100);
   });
 }
