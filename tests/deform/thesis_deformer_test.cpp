@@ -20,6 +20,9 @@ double worst(Span<const Vec3<double>> a, const Points& b) {
   return w;
 }
 
+// doctest's Approx adds 1 to the scale.
+bool near(double a, double b, double relative) { return std::abs(a - b) <= relative * std::abs(b); }
+
 struct Bar {
   explicit Bar(const char* name) : golden(json::parse_file(std::string(RIGLESS_TEST_DIR "golden/") + name + ".json")) {}
 
@@ -61,10 +64,10 @@ void check_iterates(const Bar& bar, const json::Value& run, const Constraint& co
   auto arap = bar.bind(weights, constraint, infinite);
   arap.start();
   CHECK(worst(arap.shape(), run["initial"].template vec3s<double>()) < 1e-7);
-  CHECK(energy(arap) == doctest::Approx(run["arap_energy"][0].number()).epsilon(1e-8));
+  CHECK(near(energy(arap), run["arap_energy"][0].number(), 1e-8));
   for (int it = 1; it <= 5; ++it) {
     arap.step(1);
-    CHECK(energy(arap) == doctest::Approx(run["arap_energy"][it].number()).epsilon(1e-8));
+    CHECK(near(energy(arap), run["arap_energy"][it].number(), 1e-8));
     if (it > 1 || !run.has("R_first")) continue;
     for (std::size_t i = 0; i < bar.rest.size(); ++i) {
       CHECK((arap.fits()[i].R - run["R_first"][i].template matrix<double>()).cwiseAbs().maxCoeff() < 1e-7);
@@ -74,15 +77,15 @@ void check_iterates(const Bar& bar, const json::Value& run, const Constraint& co
   if (run.has("converged")) {
     arap.step(run["converged_iters"].integer() + 200);
     CHECK(worst(arap.shape(), run["converged"].template vec3s<double>()) < 1e-5);
-    CHECK(energy(arap) == doctest::Approx(run["converged_energy"].number()).epsilon(1e-8));
+    CHECK(near(energy(arap), run["converged_energy"].number(), 1e-8));
   }
 
   auto cartoon = bar.bind(weights, constraint, 0);
   cartoon.start();
-  CHECK(energy(cartoon) == doctest::Approx(run["cartoon_energy"][0].number()).epsilon(1e-8));
+  CHECK(near(energy(cartoon), run["cartoon_energy"][0].number(), 1e-8));
   for (int it = 1; it <= 5; ++it) {
     cartoon.step(1);
-    CHECK(energy(cartoon) == doctest::Approx(run["cartoon_energy"][it].number()).epsilon(1e-8));
+    CHECK(near(energy(cartoon), run["cartoon_energy"][it].number(), 1e-8));
     if (it == 1) {
       const auto s = run["cartoon_s_first"].numbers();
       REQUIRE(s.size() == bar.rest.size());
