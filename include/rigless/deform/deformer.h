@@ -117,12 +117,14 @@ class Deformer {
   std::vector<std::int32_t> changed_;   // vertices whose rows of the system changed
   std::vector<Vec3<S>> targets_;        // C
   std::vector<Mat3<S>> disc_rotation_;  // C
-  std::vector<char> turned_;            // C: the caller has set its rotation
-  std::vector<Quad> x_;                 // V + 1: shape state, in elimination order
-  std::vector<Quad> r_;                 // V + 1: residual, then update
-  std::vector<Quad> solved_;            // V + 1: the last iterate before momentum carried it on
-  std::vector<Vec3<S>> shape_;          // V, as the caller numbers them
-  std::vector<Vec3<S>> positions_;      // V
+  DiscSeams<S> seams_;
+  std::vector<Quad> moved_;         // per held vertex: its last move
+  std::vector<char> turned_;        // C: the caller has set its rotation
+  std::vector<Quad> x_;             // V + 1: shape state, in elimination order
+  std::vector<Quad> r_;             // V + 1: residual, then update
+  std::vector<Quad> solved_;        // V + 1: the last iterate before momentum carried it on
+  std::vector<Vec3<S>> shape_;      // V, as the caller numbers them
+  std::vector<Vec3<S>> positions_;  // V
 };
 
 template <class S, class Weights>
@@ -169,6 +171,7 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
   ldlt_.analyze(cells_.ring.first, cells_.ring.neighbor);
   slices_ = slice_cells(cells_, ldlt_.place(), ldlt_.vertex_at());
   discs_ = {};
+  seams_ = {};
   discs_.owner.assign(cells_.size(), -1);
   diagonal_.assign(cells_.size(), S(0));
   coupling_.assign(static_cast<std::size_t>(cells_.ring.edges()), S(0));
@@ -235,6 +238,8 @@ Status Deformer<S, Weights>::set_handles(Span<const Handle<S>> handles) {
     return factored;
   }
   discs_ = std::move(discs);
+  seams_ = find_seams(cells_, discs_);
+  moved_.assign(discs_.member.size(), Quad{});
   targets_.clear();
   for (std::int32_t v : discs_.center) targets_.push_back(cells_.rest[static_cast<std::size_t>(v)]);
   disc_rotation_.assign(handles.size(), Mat3<S>::Identity());
@@ -390,8 +395,8 @@ template <class S, class Weights>
 void Deformer<S, Weights>::turn_discs() {
   for (std::size_t c = 0; c < discs_.size(); ++c) {
     if (turned_[c] || discs_.first[c + 1] - discs_.first[c] < 2) continue;  // a single vertex has no turn
-    disc_rotation_[c] = fit_disc(
-        cells_, discs_, c, [&](std::size_t v) { return slices_.transform(ldlt_.place()[v]); },
+    disc_rotation_[c] = fit_disc<S>(
+        seams_, discs_, c, [&](std::size_t v) { return slices_.transform(ldlt_.place()[v]); },
         [&](std::size_t v) { return position(v); }, targets_[c]);
   }
 }
@@ -406,12 +411,12 @@ void Deformer<S, Weights>::hold() {
       const auto v = static_cast<std::size_t>(discs_.member[static_cast<std::size_t>(m)]);
       const Vec3<S> p = targets_[c] + disc_rotation_[c] * (cells_.rest[v] - center);
       const Quad now{p.x(), p.y(), p.z(), S(0)};
-      const Quad moved = now - row(x_, v);
+      moved_[static_cast<std::size_t>(m)] = now - row(x_, v);
       row(x_, v) = now;
-      for_each_edge(cells_, v, [&](S w, const Vec3<S>&, std::size_t j) {
-        if (!discs_.holds(j)) row(r_, j) += w * moved;
-      });
     }
+  }
+  for (const auto& edge : seams_.edge) {
+    row(r_, static_cast<std::size_t>(edge.to)) += edge.weight * moved_[static_cast<std::size_t>(edge.member)];
   }
   for (const std::int32_t v : discs_.member) row(r_, static_cast<std::size_t>(v)) = Quad{};
 }

@@ -63,27 +63,67 @@ Status make_discs(const Cells<S>& cells, Span<const Handle<S>> handles, Discs& o
   return {};
 }
 
+// What turning and moving the discs needs to know of their edges: those inside a disc as one moment for each member,
+// those that leave it one by one. An edge between two discs leaves both.
+template <class S>
+struct DiscSeams {
+  struct Edge {
+    std::int32_t member;  // into Discs::member
+    std::int32_t to;      // vertex outside the disc
+    S weight;
+    Vec3<S> rest;         // e, from the member to it
+    Vec3<S> from_center;  // p, of the member at rest
+  };
+
+  std::vector<Mat3<S>> inside;      // per member: sum w e e^T over its edges inside the disc
+  std::vector<std::int32_t> first;  // C + 1: into edge
+  std::vector<Edge> edge;
+  std::vector<Mat3<S>> transform;  // scratch, per member
+};
+
+// Allocates.
+template <class S>
+DiscSeams<S> find_seams(const Cells<S>& cells, const Discs& discs) {
+  DiscSeams<S> seams;
+  seams.inside.assign(discs.member.size(), Mat3<S>::Zero());
+  seams.transform.assign(discs.member.size(), Mat3<S>::Identity());
+  seams.first.push_back(0);
+  for (std::size_t c = 0; c < discs.size(); ++c) {
+    const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
+    for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
+      const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
+      for_each_edge(cells, k, [&](S w, const Vec3<S>& e, std::size_t j) {
+        if (discs.owner[j] == static_cast<std::int32_t>(c)) {
+          seams.inside[static_cast<std::size_t>(m)] += (w * e) * e.transpose();
+        } else {
+          seams.edge.push_back({m, static_cast<std::int32_t>(j), w, e, cells.rest[k] - center});
+        }
+      });
+    }
+    seams.first.push_back(static_cast<std::int32_t>(seams.edge.size()));
+  }
+  return seams;
+}
+
 // The rotation of disc c about its control that best agrees with the cells: an exact block step, so the energy never
 // rises. transform(v) is s_v R_v of the cell at vertex v, position(v) the present surface. No allocation.
 // The covariance collects sum_k p_k q_k^T over the edges k -> j of the disc's vertices, p from the control at rest:
-// to a free j, both directed copies ask Q p_k = x_j - t + M e_kj; inside the disc, each asks Q e_kl = M_k e_kl.
+// to an outer j, both directed copies ask Q p_k = x_j - t + M e_kj; inside the disc, each asks Q e_kl = M_k e_kl.
 template <class S, class Transform, class Position>
-Mat3<S> fit_disc(const Cells<S>& cells, const Discs& discs, std::size_t c, const Transform& transform,
+Mat3<S> fit_disc(DiscSeams<S>& seams, const Discs& discs, std::size_t c, const Transform& transform,
                  const Position& position, const Vec3<S>& target) {
-  const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
   Mat3<S> C = Mat3<S>::Zero();
   for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
-    const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
-    const Vec3<S> p = cells.rest[k] - center;
-    const Mat3<S> M = transform(k);
-    for_each_edge(cells, k, [&](S w, const Vec3<S>& e, std::size_t j) {
-      if (discs.owner[j] == static_cast<std::int32_t>(c)) {
-        C.noalias() += (w * e) * (M * e).transpose();
-      } else {
-        const Vec3<S> q = S(2) * (position(j) - target) + (M + transform(j)) * e;
-        C.noalias() += (w * p) * q.transpose();
-      }
-    });
+    const auto at = static_cast<std::size_t>(m);
+    seams.transform[at] = transform(static_cast<std::size_t>(discs.member[at]));
+    C.noalias() += seams.inside[at] * seams.transform[at].transpose();
+  }
+  for (std::int32_t k = seams.first[c]; k < seams.first[c + 1]; ++k) {
+    const auto& edge = seams.edge[static_cast<std::size_t>(k)];
+    const auto j = static_cast<std::size_t>(edge.to);
+    const Mat3<S> M = seams.transform[static_cast<std::size_t>(edge.member)] + transform(j);
+    const Vec3<S> q = S(2) * (position(j) - target) + M * edge.rest;
+    C.noalias() += (edge.weight * edge.from_center) * q.transpose();
   }
   return nearest_rotation(C);
 }
