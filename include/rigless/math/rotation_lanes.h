@@ -88,7 +88,7 @@ template <class S>
 inline void fit_rotations(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
   // squared step after which the next one would be below what S can show, or below what a later iteration repairs
   // anyway
-  constexpr S settled = sizeof(S) == 4 ? S(1e-3) : S(1e-10);
+  constexpr S settled = sizeof(S) == 4 ? S(1e-4) : S(1e-10);
   constexpr int lanes = simd::width<S>;
   simd::Lanes<S> step2 = {};
   for (int attempt = 0; attempt < 4; ++attempt) {

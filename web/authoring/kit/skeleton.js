@@ -154,10 +154,11 @@ export function writeBvh(poses, fps) {
   lines.push("MOTION", `Frames: ${poses.length}`, `Frame Time: ${(1 / fps).toFixed(10)}`);
   const previous = {};
   for (const pose of poses) {
-    const values = pose.root.map((x) => x.toFixed(3));
+    const short = (x, digits) => String(+x.toFixed(digits) + 0); // 0.005 degrees move a hand by less than 0.1 mm
+    const values = pose.root.map((x) => short(x, 2));
     for (const name of order) {
       previous[name] = toZxy(pose.local[name] ?? identity, previous[name]);
-      values.push(...previous[name].map((x) => (Math.abs(x) < 5e-4 ? 0 : x).toFixed(3)));
+      values.push(...previous[name].map((x) => short(x, 2)));
     }
     lines.push(values.join(" "));
   }
