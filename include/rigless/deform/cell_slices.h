@@ -61,8 +61,8 @@ struct CellSlices {
 
 // Lays the cells out. place_of: vertex -> row. Allocates.
 template <class S>
-CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<std::int32_t>& place_of,
-                          const std::vector<std::int32_t>& vertex_at) {
+RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<std::int32_t>& place_of,
+                                       const std::vector<std::int32_t>& vertex_at) {
   constexpr std::size_t window = 512;
   using Out = CellSlices<S>;
   using L = typename Out::L;

@@ -39,11 +39,11 @@ class Deformer {
   // Binds V rest vertices and F faces; forgets handles. Allocates. Broken meshes are accepted: shells are tied to what
   // is nearest, isolated vertices too. On failure the old binding stays. Errors: no_faces; index_out_of_range (face);
   // not_finite (vertex); factorization_failed.
-  Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
+  RIGLESS_ONCE Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
   // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old handles stay.
   // Errors: no_controls; index_out_of_range (control); factorization_failed.
-  Status set_handles(Span<const Handle<S>> handles);
+  RIGLESS_ONCE Status set_handles(Span<const Handle<S>> handles);
 
   // C target positions of the controls. No allocation.
   void set_targets(Span<const Vec3<S>> targets);

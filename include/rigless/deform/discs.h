@@ -28,7 +28,7 @@ struct Discs {
 
 // Grows the discs. Allocates. Errors: no_controls; index_out_of_range (where: control).
 template <class S>
-Status make_discs(const Cells<S>& cells, Span<const Handle<S>> handles, Discs& out) {
+RIGLESS_ONCE Status make_discs(const Cells<S>& cells, Span<const Handle<S>> handles, Discs& out) {
   if (handles.empty()) return {Error::no_controls, -1};
   for (std::size_t c = 0; c < handles.size(); ++c) {
     if (handles[c].vertex < 0 || static_cast<std::size_t>(handles[c].vertex) >= cells.size()) {
@@ -83,7 +83,7 @@ struct DiscSeams {
 
 // Allocates.
 template <class S>
-DiscSeams<S> find_seams(const Cells<S>& cells, const Discs& discs) {
+RIGLESS_ONCE DiscSeams<S> find_seams(const Cells<S>& cells, const Discs& discs) {
   DiscSeams<S> seams;
   seams.inside.assign(discs.member.size(), Mat3<S>::Zero());
   seams.transform.assign(discs.member.size(), Mat3<S>::Identity());

@@ -7,6 +7,13 @@
 
 #define RIGLESS_ASSERT(condition) assert(condition)
 
+// Marks what runs once for each mesh: in a wasm module, where every byte is downloaded, it is built for size.
+#if defined(__wasm__)
+#define RIGLESS_ONCE __attribute__((minsize, noinline))
+#else
+#define RIGLESS_ONCE
+#endif
+
 namespace rigless {
 
 enum class Error : std::int32_t {

@@ -20,7 +20,7 @@ class SupernodalLdlt {
 
   // Orders and analyses the pattern of a symmetric graph: neighbours of i are neighbor[first[i]] .. first[i + 1] - 1,
   // both directions listed, no diagonal. Allocates all that later calls need.
-  void analyze(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
+  RIGLESS_ONCE void analyze(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
 
   // Factors A, with A_ii = diagonal[i] (n) and A_ij = coupling[slot of i -> j]; both in the graph's own numbering. On
   // failure the factor is unusable until the next success. No allocation.

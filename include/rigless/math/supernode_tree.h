@@ -43,7 +43,7 @@ struct SupernodeTree {
 // Orders by approximate minimum degree and merges columns into supernodes, also where a few zeros must be stored for
 // it. Allocates. Source: Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4 and 7; Ashcraft and Grimes 1989
 // for the relaxed merging.
-SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
+RIGLESS_ONCE SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
 
 namespace detail {
 
@@ -53,8 +53,8 @@ struct Columns {
   std::vector<std::int32_t> row;     // below the diagonal, ascending
 };
 
-inline std::vector<std::int32_t> minimum_degree_order(Span<const std::int32_t> first,
-                                                      Span<const std::int32_t> neighbor) {
+RIGLESS_ONCE inline std::vector<std::int32_t> minimum_degree_order(Span<const std::int32_t> first,
+                                                                   Span<const std::int32_t> neighbor) {
   const auto n = static_cast<std::int32_t>(first.size()) - 1;
   using Pattern = Eigen::SparseMatrix<float, Eigen::ColMajor, std::int32_t>;
   Pattern A(n, n);  // lower triangle; a column without a diagonal entry would be ordered last as if it were dense
@@ -121,8 +121,8 @@ inline std::vector<std::int32_t> postorder(const std::vector<std::int32_t>& pare
 }
 
 // Row structure of every column: row i reaches the columns on the tree paths from its neighbours up to i.
-inline Columns column_structure(Span<const std::int32_t> first, Span<const std::int32_t> neighbor,
-                                const SupernodeTree& tree) {
+RIGLESS_ONCE inline Columns column_structure(Span<const std::int32_t> first, Span<const std::int32_t> neighbor,
+                                             const SupernodeTree& tree) {
   const std::size_t n = tree.place.size();
   Columns c;
   c.parent = elimination_tree(first, neighbor, tree.vertex_at, tree.place);
@@ -158,7 +158,7 @@ inline Columns column_structure(Span<const std::int32_t> first, Span<const std::
 
 // Last column of each supernode. Neighbouring columns join when their rows agree, or nearly: a stored zero costs less
 // than a supernode of its own.
-inline std::vector<std::int32_t> supernode_ends(const Columns& columns) {
+RIGLESS_ONCE inline std::vector<std::int32_t> supernode_ends(const Columns& columns) {
   struct Draft {
     std::int64_t first, last, zeros;
   };
@@ -191,7 +191,7 @@ inline std::vector<std::int32_t> supernode_ends(const Columns& columns) {
   return ends;
 }
 
-inline void link_supernodes(SupernodeTree& tree) {
+RIGLESS_ONCE inline void link_supernodes(SupernodeTree& tree) {
   std::vector<SupernodeLink> links;
   std::vector<std::int32_t> target;
   for (std::size_t d = 0; d < tree.nodes.size(); ++d) {

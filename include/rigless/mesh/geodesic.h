@@ -18,8 +18,8 @@ struct GeodesicVertex {
 // All vertices within `radius` of `source` along edges, nearest first; the source itself at distance 0. Allocates.
 // Source: Dijkstra 1959; edge paths overestimate the true distance by some 10 %, which a disc does not mind.
 template <class S>
-std::vector<GeodesicVertex<S>> vertices_within(Span<const Vec3<S>> vertices, const OneRing& ring, std::int32_t source,
-                                               S radius) {
+RIGLESS_ONCE std::vector<GeodesicVertex<S>> vertices_within(Span<const Vec3<S>> vertices, const OneRing& ring,
+                                                            std::int32_t source, S radius) {
   struct Entry {
     S distance;
     std::int32_t vertex;

@@ -16,7 +16,7 @@ struct MeshTopology {
 };
 
 // Counts over faces whose indices were checked. Allocates.
-inline MeshTopology inspect_mesh(Span<const Face> faces, std::int32_t vertices) {
+RIGLESS_ONCE inline MeshTopology inspect_mesh(Span<const Face> faces, std::int32_t vertices) {
   MeshTopology t;
   std::vector<std::array<std::int32_t, 2>> edges;
   edges.reserve(3 * faces.size());

@@ -30,8 +30,8 @@ S corner_cotangent(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
 // the lowest weight. Allocates the result.
 // Source: Pinkall and Polthier 1993; thesis section 2.1.1; the clamp: negative weights let the energy run away.
 template <class S>
-std::vector<S> cotangent_weights(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring,
-                                 const WeightBounds<S>& bounds = {}) {
+RIGLESS_ONCE std::vector<S> cotangent_weights(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring,
+                                              const WeightBounds<S>& bounds = {}) {
   std::vector<S> w(static_cast<std::size_t>(ring.edges()), S(0));
   const auto at = [&](std::int32_t v) -> const Vec3<S>& { return vertices[static_cast<std::size_t>(v)]; };
   for (const Face& f : faces) {

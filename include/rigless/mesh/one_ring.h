@@ -39,7 +39,7 @@ inline Status check_faces(Span<const Face> faces, std::int32_t vertices) {
 }
 
 // Builds the table from undirected pairs (each side may be given any number of times). Allocates.
-inline OneRing one_ring_from_pairs(std::vector<std::array<std::int32_t, 2>> pairs, std::int32_t vertices) {
+RIGLESS_ONCE inline OneRing one_ring_from_pairs(std::vector<std::array<std::int32_t, 2>> pairs, std::int32_t vertices) {
   const std::size_t count = pairs.size();
   pairs.reserve(2 * count);
   for (std::size_t k = 0; k < count; ++k) pairs.push_back({pairs[k][1], pairs[k][0]});
@@ -59,7 +59,7 @@ inline OneRing one_ring_from_pairs(std::vector<std::array<std::int32_t, 2>> pair
 
 // Every edge of the faces (V x 3 indices already checked). Non-manifold edges and duplicate faces count once.
 // Allocates.
-inline OneRing one_ring(Span<const Face> faces, std::int32_t vertices) {
+RIGLESS_ONCE inline OneRing one_ring(Span<const Face> faces, std::int32_t vertices) {
   std::vector<std::array<std::int32_t, 2>> pairs;
   pairs.reserve(3 * faces.size());
   for (const Face& f : faces) {

@@ -16,7 +16,7 @@ struct Shells {
 };
 
 // Labels the connected pieces of the ring. Allocates.
-inline Shells find_shells(const OneRing& ring) {
+RIGLESS_ONCE inline Shells find_shells(const OneRing& ring) {
   Shells shells;
   const auto n = static_cast<std::size_t>(ring.vertices());
   shells.of_vertex.assign(n, -1);
@@ -106,8 +106,8 @@ class PointGrid {
 // `ties_per_shell` pairs between a shell and its nearest neighbour shell, spread over the smaller of the two. A mesh of
 // one shell needs none. Allocates.
 template <class S>
-std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3<S>> vertices, const OneRing& ring,
-                                                    std::size_t ties_per_shell = 6) {
+RIGLESS_ONCE std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3<S>> vertices, const OneRing& ring,
+                                                                 std::size_t ties_per_shell = 6) {
   std::vector<std::array<std::int32_t, 2>> ties;
   Shells shells = find_shells(ring);
   if (shells.count <= 1) return ties;
