@@ -143,7 +143,7 @@ TEST_CASE("after 30 iterations the fast path stands where the reference does") {
   REQUIRE(mesh.faces.size() == 5856);
   const double infinite = std::numeric_limits<double>::infinity();
   SUBCASE("single precision") {
-    for (const double mu : {0.5, infinite}) {
+    for (const double mu : {0.0, 0.5, infinite}) {
       const Comparison c = compare<float>(mesh, mu);
       CHECK(std::abs(c.energy_off) < 1e-5);
       CHECK(std::abs(c.own_energy_off) < 1e-5);
