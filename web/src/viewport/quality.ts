@@ -29,9 +29,10 @@ export class QualityGovernor {
   private lateness = 0;
   private frames = 0;
 
-  /** `renderer`: what the graphics card calls itself; a program that plays one begins with the small shadow. */
+  /** `renderer`: what the graphics card calls itself; a program that plays one begins without the sun's shadow,
+   *  whose shaders alone would keep the first motion waiting for seconds. */
   constructor(renderer = "") {
-    this.step = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer) ? 1 : 0;
+    this.step = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer) ? 2 : 0;
   }
 
   get quality(): Quality {

@@ -3,6 +3,8 @@ import { EngineError } from "../../engine/types";
 import type { Session } from "./session";
 
 const SIZE = 80;
+/** The first moments belong to the dance: a picture that is read back stops the graphics card. */
+const AFTER_OPENING_MS = 1500;
 
 /** Small pictures of the rest shape and of each pose, made while nobody drags. */
 export class Thumbnails {
@@ -10,6 +12,7 @@ export class Thumbnails {
   private pictures = new WeakMap<Example, string>();
   private restPositions: Float32Array | null = null;
   private working = false;
+  private readonly opened = new Promise((resolve) => setTimeout(resolve, AFTER_OPENING_MS));
 
   constructor(private readonly session: Session) {}
 
@@ -31,6 +34,7 @@ export class Thumbnails {
     if (this.working) return;
     this.working = true;
     try {
+      await this.opened;
       for (;;) {
         await idle();
         const { session } = this;
