@@ -109,6 +109,25 @@ TEST_CASE_TEMPLATE("slivers and a scale from millimetres to kilometres", S, floa
   }
 }
 
+TEST_CASE_TEMPLATE("a target that is no number leaves its control where it was", S, float, double) {
+  const Cylinder cylinder(12, 9);
+  std::vector<Vec3<S>> rest;
+  for (const auto& v : cylinder.vertices) rest.push_back(v.cast<S>());
+  Deformer<S> deformer;
+  REQUIRE(deformer.bind(rest, cylinder.faces).ok());
+  REQUIRE(deformer.set_handles(std::vector<Handle<S>>{{0, S(0.4)}, {100, S(0.4)}}).ok());
+  const Vec3<S> moved = rest[100] + Vec3<S>(S(0.5), S(0.5), S(0));
+  deformer.set_targets(std::vector<Vec3<S>>{rest[0], moved});
+  const S nan = std::numeric_limits<S>::quiet_NaN();
+  deformer.set_targets(std::vector<Vec3<S>>{{nan, 0, 0}, {0, std::numeric_limits<S>::infinity(), 0}});
+  deformer.start();
+  deformer.relax(5);
+  deformer.pose(S(1));
+  CHECK((deformer.positions()[0] - rest[0]).norm() < S(1e-5));
+  CHECK((deformer.positions()[100] - moved).norm() < S(1e-5));
+  for (const auto& p : deformer.positions()) CHECK(p.allFinite());
+}
+
 TEST_CASE("a shell without a control follows what is nearest") {
   Cylinder body(12, 9);
   const auto count = static_cast<std::int32_t>(body.vertices.size());

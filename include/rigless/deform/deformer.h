@@ -45,7 +45,8 @@ class Deformer {
   // Errors: no_controls; index_out_of_range (control); factorization_failed.
   RIGLESS_ONCE Status set_handles(Span<const Handle<S>> handles);
 
-  // C target positions of the controls. No allocation.
+  // C target positions of the controls. One that is not finite is not taken: its control stays where it was told to be
+  // before. No allocation.
   void set_targets(Span<const Vec3<S>> targets);
 
   // Gives control c an orientation of its own, from rest; free_turn() lets it turn with its surroundings again, as all
@@ -251,7 +252,9 @@ Status Deformer<S, Weights>::set_handles(Span<const Handle<S>> handles) {
 template <class S, class Weights>
 void Deformer<S, Weights>::set_targets(Span<const Vec3<S>> targets) {
   RIGLESS_ASSERT(targets.size() == targets_.size());
-  std::copy(targets.begin(), targets.end(), targets_.begin());
+  for (std::size_t c = 0; c < targets.size(); ++c) {
+    if (targets[c].allFinite()) targets_[c] = targets[c];
+  }
 }
 
 template <class S, class Weights>
