@@ -191,8 +191,11 @@ void controls(Bench& bench, const Mesh& mesh) {
 
 int main(int argc, char** argv) {
   Bench bench(argc, argv);
-  const auto all = bench.small() ? rigless_bench::meshes({}, {24})
-                                 : rigless_bench::meshes({"spot.obj", "cheburashka.off", "armadillo.obj"}, {54, 208});
+  std::vector<Mesh> all;
+  if (!bench.small()) all = rigless_bench::meshes({"spot.obj", "cheburashka.off", "armadillo.obj"}, {});
+  for (const std::int32_t n : bench.small() ? std::vector{24} : std::vector{54, 208}) {
+    all.push_back(rigless_bench::torus(n));
+  }
   for (const Mesh& mesh : all) {
     against_textbook(bench, mesh);
     frames(bench, mesh);

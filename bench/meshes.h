@@ -91,12 +91,13 @@ inline Mesh torus(std::int32_t n) {
   return mesh;
 }
 
-// The named files of the shared folder, those that exist, and after them the tori of these sides.
+// The named files of the shared folder, or tori of these sides where there is none.
 inline std::vector<Mesh> meshes(const std::vector<std::string>& files, const std::vector<std::int32_t>& sides) {
   std::vector<Mesh> out;
   for (const std::string& file : files) {
     if (Mesh mesh = load_mesh(RIGLESS_SHARED_DIR "data/meshes/" + file); !mesh.empty()) out.push_back(std::move(mesh));
   }
+  if (!out.empty()) return out;
   for (const std::int32_t n : sides) out.push_back(torus(n));
   return out;
 }
