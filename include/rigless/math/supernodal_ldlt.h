@@ -9,6 +9,7 @@
 #include "rigless/math/simd.h"
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
+#include "rigless/math/supernode_kernels.h"
 #include "rigless/math/supernode_tree.h"
 
 namespace rigless {
@@ -209,57 +210,6 @@ std::int32_t SupernodalLdlt<S>::eliminate(std::int32_t s) {
   return -1;
 }
 
-namespace detail {
-
-// acc[k] -= sum over rows of L(row, k) y(row), for N columns at once.
-template <class S, std::size_t N>
-inline void back_columns(const S* L, std::size_t w, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* x,
-                         simd::Quad<S>* out) {
-  simd::Quad<S> acc[N];
-  for (std::size_t k = 0; k < N; ++k) acc[k] = out[k];
-  for (std::size_t r = 0; r < m; ++r, L += w) {
-    const simd::Quad<S> y = x[rows[r]];
-    for (std::size_t k = 0; k < N; ++k) acc[k] -= L[k] * y;
-  }
-  for (std::size_t k = 0; k < N; ++k) out[k] = acc[k];
-}
-
-// x(row) -= sum_k L(row, k) y(k) over a supernode of N columns.
-template <class S, std::size_t N>
-inline void forward_rows(const S* L, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y,
-                         simd::Quad<S>* x) {
-  simd::Quad<S> held[N];
-  for (std::size_t k = 0; k < N; ++k) held[k] = y[k];
-  for (std::size_t r = 0; r < m; ++r, L += N) {
-    simd::Quad<S> acc = x[rows[r]];
-    for (std::size_t k = 0; k < N; ++k) acc -= L[k] * held[k];
-    x[rows[r]] = acc;
-  }
-}
-
-template <class S>
-inline void forward_any(const S* L, std::size_t w, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y,
-                        simd::Quad<S>* x) {
-  std::size_t r = 0;
-  for (; r + 2 <= m; r += 2) {
-    const S *a = L + r * w, *b = a + w;
-    simd::Quad<S> acc_a = x[rows[r]], acc_b = x[rows[r + 1]];
-    for (std::size_t k = 0; k < w; ++k) {
-      acc_a -= a[k] * y[k];
-      acc_b -= b[k] * y[k];
-    }
-    x[rows[r]] = acc_a;
-    x[rows[r + 1]] = acc_b;
-  }
-  for (; r < m; ++r) {
-    simd::Quad<S> acc = x[rows[r]];
-    for (std::size_t k = 0; k < w; ++k) acc -= L[r * w + k] * y[k];
-    x[rows[r]] = acc;
-  }
-}
-
-}  // namespace detail
-
 template <class S>
 void SupernodalLdlt<S>::solve(Quad* x) const {
   for (const Supernode& node : tree_.nodes) {
@@ -274,21 +224,10 @@ void SupernodalLdlt<S>::solve(Quad* x) const {
       y[i] = acc;
     }
     const S* below = L + w * w;
-    switch (w) {
-      case 1:
-        detail::forward_rows<S, 1>(below, m, rows, y, x);
-        break;
-      case 2:
-        detail::forward_rows<S, 2>(below, m, rows, y, x);
-        break;
-      case 3:
-        detail::forward_rows<S, 3>(below, m, rows, y, x);
-        break;
-      case 4:
-        detail::forward_rows<S, 4>(below, m, rows, y, x);
-        break;
-      default:
-        detail::forward_any<S>(below, w, m, rows, y, x);
+    if (w <= 4) {
+      detail::with_width<4>(w, [&](auto n) { detail::forward_rows<S, n>(below, m, rows, y, x); });
+    } else {
+      detail::forward_any<S>(below, w, m, rows, y, x);
     }
   }
   for (auto it = tree_.nodes.rbegin(); it != tree_.nodes.rend(); ++it) {
@@ -302,30 +241,8 @@ void SupernodalLdlt<S>::solve(Quad* x) const {
     const S* below = L + w * w;
     std::size_t k = 0;
     for (; k + 8 <= w; k += 8) detail::back_columns<S, 8>(below + k, w, m, rows, x, y + k);
-    switch (w - k) {
-      case 1:
-        detail::back_columns<S, 1>(below + k, w, m, rows, x, y + k);
-        break;
-      case 2:
-        detail::back_columns<S, 2>(below + k, w, m, rows, x, y + k);
-        break;
-      case 3:
-        detail::back_columns<S, 3>(below + k, w, m, rows, x, y + k);
-        break;
-      case 4:
-        detail::back_columns<S, 4>(below + k, w, m, rows, x, y + k);
-        break;
-      case 5:
-        detail::back_columns<S, 5>(below + k, w, m, rows, x, y + k);
-        break;
-      case 6:
-        detail::back_columns<S, 6>(below + k, w, m, rows, x, y + k);
-        break;
-      case 7:
-        detail::back_columns<S, 7>(below + k, w, m, rows, x, y + k);
-        break;
-      default:
-        break;
+    if (k < w) {
+      detail::with_width<7>(w - k, [&](auto n) { detail::back_columns<S, n>(below + k, w, m, rows, x, y + k); });
     }
     for (std::size_t i = w; i-- > 1;) {
       const Quad yi = y[i];
