@@ -1,28 +1,13 @@
 // Cartoon deformation of a surface by a few control points: bind a mesh, set handles, then targets and steps per frame.
 #pragma once
 
+#include "rigless/deform/build_cells.h"
 #include "rigless/deform/discs.h"
+#include "rigless/deform/hard_rows.h"
 #include "rigless/deform/local_step.h"
 #include "rigless/deform/volume_law.h"
-#include "rigless/math/supernodal_ldlt.h"
-#include "rigless/mesh/shells.h"
 
 namespace rigless {
-
-// Cotangent weights, clamped; ties between shells get weight 1, about the mean of a well-shaped mesh.
-struct CotangentWeights {
-  template <class S>
-  static std::vector<S> of(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring) {
-    return cotangent_weights<S>(vertices, faces, ring);
-  }
-};
-
-struct UniformWeights {
-  template <class S>
-  static std::vector<S> of(Span<const Vec3<S>>, Span<const Face>, const OneRing& ring) {
-    return uniform_weights<S>(ring);
-  }
-};
 
 template <class S>
 struct DeformerOptions {
@@ -37,8 +22,9 @@ template <class S, class Weights = CotangentWeights>
 class Deformer {
  public:
   // Binds V rest vertices and F faces; forgets handles. Allocates. Broken meshes are accepted: shells are tied to what
-  // is nearest, isolated vertices too. On failure the old binding stays. Errors: no_faces; index_out_of_range (face);
-  // not_finite (vertex); factorization_failed.
+  // is nearest, isolated vertices too. On failure the old binding stays.
+  // Errors: no_faces; index_out_of_range (face); not_finite (vertex, also for a rigidity that is not above 0);
+  // size_mismatch (rigidity).
   RIGLESS_ONCE Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
   // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old handles stay.
@@ -96,9 +82,7 @@ class Deformer {
  private:
   using Quad = simd::Quad<S>;
 
-  void fill_system(std::int32_t vertex, const Discs& discs);
-  void refill_system(const Discs& from, const Discs& to);
-  Quad& row(Span<Quad> rows, std::size_t vertex) { return rows[static_cast<std::size_t>(ldlt_.place()[vertex])]; }
+  Quad& row(Span<Quad> rows, std::size_t vertex) { return rows[static_cast<std::size_t>(system_.place()[vertex])]; }
   Vec3<S> position(std::size_t vertex);
   template <bool with_energy>
   double fit_residual();
@@ -111,11 +95,8 @@ class Deformer {
   Cells<S> cells_;
   ElasticScale<S> elastic_;
   Discs discs_;
-  SupernodalLdlt<S> ldlt_;
+  HardRows<S> system_;
   CellSlices<S> slices_;
-  std::vector<S> diagonal_;             // V
-  std::vector<S> coupling_;             // directed edges
-  std::vector<std::int32_t> changed_;   // vertices whose rows of the system changed
   std::vector<Vec3<S>> targets_;        // C
   std::vector<Mat3<S>> disc_rotation_;  // C
   DiscSeams<S> seams_;
@@ -130,114 +111,28 @@ class Deformer {
 
 template <class S, class Weights>
 Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options) {
-  const auto count = static_cast<std::int32_t>(rest.size());
-  if (const Status s = check_faces(faces, count); !s.ok()) return s;
-  for (std::size_t v = 0; v < rest.size(); ++v) {
-    if (!rest[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
-  }
-  Cells<S> cells;
-  cells.rest.assign(rest.begin(), rest.end());
-  cells.ring = one_ring(faces, count);
-  const auto ties = tie_shells<S>(rest, cells.ring);
-  if (!ties.empty()) {
-    std::vector<std::array<std::int32_t, 2>> pairs = ties;
-    for (const Face& f : faces) {
-      for (std::size_t k = 0; k < 3; ++k) pairs.push_back({f[k], f[(k + 1) % 3]});
-    }
-    cells.ring = one_ring_from_pairs(std::move(pairs), count);
-  }
-  cells.weight = Weights::template of<S>(rest, faces, cells.ring);
-  for (const auto& [a, b] : ties) {
-    cells.weight[static_cast<std::size_t>(cells.ring.slot(a, b))] = S(1);
-    cells.weight[static_cast<std::size_t>(cells.ring.slot(b, a))] = S(1);
-  }
-  if (!options.rigidity.empty()) {
-    if (options.rigidity.size() != rest.size()) return {Error::size_mismatch, -1};
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-      if (!(options.rigidity[i] > S(0)) || !std::isfinite(options.rigidity[i])) {
-        return {Error::not_finite, static_cast<std::int32_t>(i)};
-      }
-      for (auto k = static_cast<std::size_t>(cells.ring.first[i]);
-           k < static_cast<std::size_t>(cells.ring.first[i + 1]); ++k) {
-        cells.weight[k] *=
-            std::min(options.rigidity[i], options.rigidity[static_cast<std::size_t>(cells.ring.neighbor[k])]);
-      }
-    }
-  }
-  measure_cells(cells);
-
-  cells_ = std::move(cells);
+  if (const Status s = build_cells<Weights, S>(rest, faces, options.rigidity, cells_); !s.ok()) return s;
   elastic_.mu = options.elastic;
-  ldlt_ = {};
-  ldlt_.analyze(cells_.ring.first, cells_.ring.neighbor);
-  slices_ = slice_cells(cells_, ldlt_.place(), ldlt_.vertex_at());
+  system_.bind(cells_);
+  slices_ = slice_cells(cells_, system_.place(), system_.vertex_at());
   discs_ = {};
   seams_ = {};
   discs_.owner.assign(cells_.size(), -1);
-  diagonal_.assign(cells_.size(), S(0));
-  coupling_.assign(static_cast<std::size_t>(cells_.ring.edges()), S(0));
-  for (std::int32_t v = 0; v < count; ++v) fill_system(v, discs_);
   targets_.clear();
   disc_rotation_.clear();
   turned_.clear();
-  x_.assign(cells_.size() + 1, Quad{});
-  r_.assign(cells_.size() + 1, Quad{});
-  solved_.assign(cells_.size() + 1, Quad{});
+  for (auto* rows : {&x_, &r_, &solved_}) rows->assign(cells_.size() + 1, Quad{});
   shape_.resize(cells_.size());
   positions_.resize(cells_.size());
   reset();
   return {};
 }
 
-// Row of one vertex in the Laplacian with hard rows: held vertices keep a unit diagonal and no coupling, so that the
-// pattern, and with it the elimination order, never changes.
-template <class S, class Weights>
-void Deformer<S, Weights>::fill_system(std::int32_t vertex, const Discs& discs) {
-  const auto i = static_cast<std::size_t>(vertex);
-  S diagonal = S(0);
-  for (auto k = static_cast<std::size_t>(cells_.ring.first[i]); k < static_cast<std::size_t>(cells_.ring.first[i + 1]);
-       ++k) {
-    diagonal += cells_.weight[k];
-    const bool coupled = !discs.holds(i) && !discs.holds(static_cast<std::size_t>(cells_.ring.neighbor[k]));
-    coupling_[k] = coupled ? -cells_.weight[k] : S(0);
-  }
-  diagonal_[i] = discs.holds(i) ? S(1) : diagonal;
-}
-
-// Rewrites the rows of vertices that became held or free, and of their neighbours.
-template <class S, class Weights>
-void Deformer<S, Weights>::refill_system(const Discs& from, const Discs& to) {
-  changed_.clear();
-  for (std::size_t v = 0; v < cells_.size(); ++v) {
-    if (from.holds(v) != to.holds(v)) changed_.push_back(static_cast<std::int32_t>(v));
-  }
-  for (const std::int32_t v : changed_) {
-    fill_system(v, to);
-    const auto i = static_cast<std::size_t>(v);
-    for (auto k = static_cast<std::size_t>(cells_.ring.first[i]);
-         k < static_cast<std::size_t>(cells_.ring.first[i + 1]); ++k) {
-      fill_system(cells_.ring.neighbor[k], to);
-    }
-  }
-}
-
 template <class S, class Weights>
 Status Deformer<S, Weights>::set_handles(Span<const Handle<S>> handles) {
   Discs discs;
   if (const Status s = make_discs(cells_, handles, discs); !s.ok()) return s;
-  refill_system(discs_, discs);
-  const bool first = discs_.size() == 0;
-  const Status factored =
-      first ? ldlt_.factorize(diagonal_, coupling_) : ldlt_.refactorize(diagonal_, coupling_, changed_);
-  if (!factored.ok()) {
-    refill_system(discs, discs_);
-    if (!first) {
-      const Status restored = ldlt_.factorize(diagonal_, coupling_);
-      RIGLESS_ASSERT(restored.ok());
-      static_cast<void>(restored);
-    }
-    return factored;
-  }
+  if (const Status s = system_.hold(cells_, discs_, discs); !s.ok()) return s;
   discs_ = std::move(discs);
   seams_ = find_seams(cells_, discs_);
   moved_.assign(discs_.member.size(), Quad{});
@@ -315,7 +210,7 @@ void Deformer<S, Weights>::start() {
   slices_.set_rotations(R);
   std::fill(r_.begin(), r_.end(), Quad{});  // a rigidly moved surface has no residual; what is held has moved on
   hold();
-  ldlt_.solve(r_.data());
+  system_.solve(r_.data());
   for (std::size_t i = 0; i < cells_.size(); ++i) x_[i] += r_[i];
   show({}, shape_);
 }
@@ -373,7 +268,7 @@ template <class S, class Weights>
 void Deformer<S, Weights>::solve_update() {
   turn_discs();
   hold();
-  ldlt_.solve(r_.data());
+  system_.solve(r_.data());
   for (std::size_t i = 0; i < cells_.size(); ++i) x_[i] += r_[i];
 }
 
@@ -384,7 +279,7 @@ void Deformer<S, Weights>::pose(const Law& law) {
   std::fill(r_.begin(), r_.end(), Quad{});
   pose_step(slices_, x_.data(), law, r_.data());
   for (const std::int32_t v : discs_.member) row(r_, static_cast<std::size_t>(v)) = Quad{};
-  ldlt_.solve(r_.data());
+  system_.solve(r_.data());
   show(r_, positions_);
 }
 
@@ -399,7 +294,7 @@ void Deformer<S, Weights>::turn_discs() {
   for (std::size_t c = 0; c < discs_.size(); ++c) {
     if (turned_[c] || discs_.first[c + 1] - discs_.first[c] < 2) continue;  // a single vertex has no turn
     disc_rotation_[c] = fit_disc<S>(
-        seams_, discs_, c, [&](std::size_t v) { return slices_.transform(ldlt_.place()[v]); },
+        seams_, discs_, c, [&](std::size_t v) { return slices_.transform(system_.place()[v]); },
         [&](std::size_t v) { return position(v); }, targets_[c]);
   }
 }
@@ -428,7 +323,7 @@ void Deformer<S, Weights>::hold() {
 template <class S, class Weights>
 void Deformer<S, Weights>::show(Span<const Quad> update, Span<Vec3<S>> out) const {
   for (std::size_t v = 0; v < out.size(); ++v) {
-    const auto at = static_cast<std::size_t>(ldlt_.place()[v]);
+    const auto at = static_cast<std::size_t>(system_.place()[v]);
     const Quad q = update.empty() ? x_[at] : x_[at] + update[at];
     out[v] = Vec3<S>(q[0], q[1], q[2]);
   }
@@ -437,9 +332,9 @@ void Deformer<S, Weights>::show(Span<const Quad> update, Span<Vec3<S>> out) cons
 template <class S, class Weights>
 std::int64_t Deformer<S, Weights>::bytes() const {
   const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-  return ldlt_.bytes() + slices_.bytes() + of(cells_.ring.first) + of(cells_.ring.neighbor) + of(cells_.weight) +
-         of(cells_.rest) + of(cells_.weighted_size) + of(discs_.owner) + of(discs_.member) + of(diagonal_) +
-         of(coupling_) + of(changed_) + of(x_) + of(r_) + of(solved_) + of(shape_) + of(positions_);
+  return system_.bytes() + slices_.bytes() + of(cells_.ring.first) + of(cells_.ring.neighbor) + of(cells_.weight) +
+         of(cells_.rest) + of(cells_.weighted_size) + of(discs_.owner) + of(discs_.member) + of(x_) + of(r_) +
+         of(solved_) + of(shape_) + of(positions_);
 }
 
 }  // namespace rigless
