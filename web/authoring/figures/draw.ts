@@ -1,0 +1,111 @@
+// Draws surfaces side by side, each in a viewport of the page.
+
+import { readModel } from "../../src/io/read-model";
+import { Viewport } from "../../src/viewport/viewport";
+import type { Dot, DrawnModel } from "../../src/viewport/types";
+
+interface Surfaces {
+  faces: number[];
+  controls: number[];
+  surfaces: { name: string; volume: number; positions: number[] }[];
+}
+
+declare global {
+  interface Window {
+    /** Draws `data` with the skin of a model or, without one, as an egg; a label goes under each. */
+    draw: (data: Surfaces, labels: string[], skin: string | null) => Promise<void>;
+  }
+}
+
+window.draw = async (data, labels, skin) => {
+  const one = skin ? await skinned(skin) : await painted(data);
+  const figures = data.surfaces.map(({ positions }) => standing(positions));
+  const widest = figures.reduce((a, b) => (extent(b, 0) > extent(a, 0) ? b : a));
+  const tallest = figures.reduce((a, b) => (extent(b, 1) > extent(a, 1) ? b : a));
+  const model: DrawnModel = {
+    ...one,
+    positions: Float32Array.from({ length: 3 * one.toVertex.length }, (_, i) => widest[3 * one.toVertex[Math.floor(i / 3)] + (i % 3)]),
+    faces: Uint32Array.from(data.faces),
+  };
+  const dots = data.controls.map((vertex, c): Dot => ({ id: String(c), number: c + 1, name: "", vertex, joint: -1 }));
+  for (const [k, positions] of figures.entries()) {
+    const panel = document.createElement("figure");
+    const stage = document.createElement("div");
+    const caption = document.createElement("figcaption");
+    caption.textContent = labels[k];
+    panel.append(stage, caption);
+    document.body.append(panel);
+    const viewport = new Viewport(stage);
+    viewport.setModel(model);
+    // The camera steps back for the widest and the tallest and stays there: one scale for all panels.
+    for (const shape of [widest, tallest, positions]) {
+      viewport.setVertices(shape);
+      await frames(3);
+    }
+    viewport.setDots(dots, null);
+    await frames(3);
+  }
+};
+
+async function frames(count: number): Promise<void> {
+  for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
+}
+
+function extent(positions: Float32Array, axis: number): number {
+  const along = positions.filter((_, i) => i % 3 === axis);
+  return Math.max(...along) - Math.min(...along);
+}
+
+/** On the ground by the lowest vertex. */
+function standing(positions: readonly number[]): Float32Array {
+  const lowest = Math.min(...positions.filter((_, i) => i % 3 === 1));
+  return Float32Array.from(positions, (x, i) => (i % 3 === 1 ? x - lowest : x));
+}
+
+type Skin = Pick<DrawnModel, "index" | "toVertex" | "colors" | "uvs" | "texture">;
+
+async function skinned(url: string): Promise<Skin> {
+  const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer());
+  const { drawn } = await readModel([{ name: url, bytes }]);
+  const { texture } = drawn;
+  return {
+    ...drawn,
+    texture: texture && await createImageBitmap(new Blob([texture.bytes.slice()], { type: texture.mime }),
+      { premultiplyAlpha: "none", colorSpaceConversion: "none" }),
+  };
+}
+
+/** An egg in trousers that looks at us, painted from the front. */
+async function painted({ faces, surfaces: [rest] }: Surfaces): Promise<Skin> {
+  const count = rest.positions.length / 3;
+  let top = 0;
+  for (let v = 0; v < count; v++) top = Math.max(top, rest.positions[3 * v + 1]);
+  const uvs = new Float32Array(2 * count);
+  for (let v = 0; v < count; v++) uvs.set([0.5 + rest.positions[3 * v] / top, 1 - rest.positions[3 * v + 1] / top], 2 * v);
+  const size = 512;
+  const canvas = new OffscreenCanvas(size, size);
+  const brush = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+  const band = (colour: string, from: number, to: number): void => {
+    brush.fillStyle = colour;
+    brush.fillRect(0, from * size, size, (to - from) * size);
+  };
+  band("#ecdcbf", 0, 1);
+  band("#2f5a86", 0.62, 1);
+  band("#d9822b", 0.56, 0.62);
+  brush.fillStyle = "#1c1a1e";
+  for (const side of [-1, 1]) {
+    brush.beginPath();
+    brush.ellipse((0.5 + 0.1 * side) * size, 0.33 * size, 0.032 * size, 0.05 * size, 0, 0, 7);
+    brush.fill();
+  }
+  brush.lineWidth = 0.014 * size;
+  brush.strokeStyle = "#1c1a1e";
+  brush.lineCap = "round";
+  brush.beginPath();
+  brush.arc(0.5 * size, 0.4 * size, 0.06 * size, 0.5, Math.PI - 0.5);
+  brush.stroke();
+  return {
+    index: Uint32Array.from(faces), toVertex: Uint32Array.from({ length: count }, (_, v) => v), colors: null, uvs,
+    texture: await createImageBitmap(canvas),
+  };
+}
