@@ -6,9 +6,9 @@
 namespace rigless {
 
 // Shape iterations of a frame that begins with nothing but its targets. The scaled shape state gives up volume while it
-// converges (cells may shrink at a price), so this number is part of what a frame looks like: on a walking cow the volume
-// stays within 0.99 to 1.01 of rest after 5, falls to 0.96 after 10 and to 0.85 after 60. One number, for baked frames and
-// for restarts.
+// converges (cells may shrink at a price), so this number is part of what a frame looks like: on a walking cow the
+// volume stays within 0.99 to 1.01 of rest after 5, falls to 0.96 after 10 and to 0.85 after 60. One number, for baked
+// frames and for restarts.
 inline constexpr int iterations_from_rest = 8;
 
 // Shape iterations of a drag, which begins at the surface of the drag before it. Source: thesis, section 4.1.
