@@ -52,7 +52,7 @@ const draw = async (name, width, height, labels, skin) => {
   await page.evaluate(([surfaces, texts, glb]) => window.draw(surfaces, texts, glb), [data, captions, skin]);
   await page.screenshot({ path: figures + name + ".png", timeout: 60_000 });
 };
-await draw("fig-4-1", 1100, 330, ["(a) rest", "(b) ARAP", "(b) cartoon", "(c) ARAP", "(c) cartoon"], CACTUS);
+await draw("fig-4-1", 1204, 300, ["(a) rest", "(b) ARAP", "(b) thesis", "(b) ours", "(c) ARAP", "(c) thesis", "(c) ours"], CACTUS);
 await draw("fig-3-6", 1000, 320, ["(a) rest", "(b) λ\u1d65 = 0", "(c) λ\u1d65 = 3", "(d) λ\u1d65 = 0", "(e) λ\u1d65 = 3"], null);
 await browser.close();
 await server.close();
