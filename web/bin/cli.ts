@@ -1,5 +1,6 @@
 // The command line: the page's readers, engine and writers without a page.
 
+import { basename } from "node:path";
 import { parseArgs } from "node:util";
 
 import { version } from "../package.json";
@@ -10,7 +11,7 @@ import { bake } from "../src/io/bake";
 import { count } from "../src/io/model";
 import { ModelError } from "../src/io/named-file";
 import { readModel } from "../src/io/read-model";
-import { keptFrames, writeGlb } from "../src/io/write-glb";
+import { glbBytes, keptFrames, writeGlb } from "../src/io/write-glb";
 import { serializeTrack, trackOf } from "../src/io/write-track";
 import { meshInput, pairingNotes, stageFor } from "../src/sync/prepare";
 import { FileError, loadProject, OutputFiles } from "./files";
@@ -32,6 +33,9 @@ const HELP = `Human motion on any mesh, without a rig.
 
 /** Viewers draw so many morph targets at most, the strictest of them. */
 const MOST_TARGETS = 256;
+
+/** A larger GLB cannot be made in one piece, nor opened. */
+const MOST_BYTES = 2 ** 31;
 
 class UsageError extends Error {}
 
@@ -66,6 +70,15 @@ export async function main(args: readonly string[]): Promise<number> {
     process.off("SIGINT", onSignal);
     process.off("SIGTERM", onSignal);
   }
+}
+
+/** Errors (FileError): the GLB would be too large. */
+function checkSize(out: string, vertices: number, frames: number, every: number): void {
+  const bytes = (k: number): number => glbBytes(vertices, keptFrames(frames, k).length);
+  if (bytes(every) <= MOST_BYTES) return;
+  let k = every;
+  while (k < frames && bytes(k) > MOST_BYTES) k++;
+  throw new FileError(`${out} would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a GLB can: --every ${k} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`);
 }
 
 function isExpected(error: unknown): boolean {
@@ -106,11 +119,20 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
   const progress = new Progress(command.quiet);
   const outputs = await OutputFiles.prepare([command.out, command.track]);
   const { document, modelFiles, motion } = await loadProject(command.project);
+  if (document.points.length === 0) throw new FileError(`${basename(command.project)}: points is empty; at least one is needed to dance.`);
   progress.step("Reading the model");
   const model = await readModel(modelFiles);
+  const vertices = model.positions.length / 3;
+  if (document.points.length > vertices) {
+    throw new FileError(`${basename(command.project)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`);
+  }
   const engine = await createNodeEngine();
   try {
-    const baked = await bake(engine, document, model, motion, { signal, onProgress: (step, done) => progress.step(step, done) });
+    const baked = await bake(engine, document, model, motion, {
+      signal,
+      onProgress: (step, done) => progress.step(step, done),
+      onSolved: (frames) => command.out !== null && checkSize(command.out, model.drawn.toVertex.length, frames, command.every),
+    });
     for (const note of [...model.notes, ...baked.motion.notes, ...pairingNotes(document, baked.motion)]) progress.note(note);
     if (command.out !== null) {
       progress.step("Writing");

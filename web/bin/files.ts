@@ -4,7 +4,7 @@ import { readFile, rename, rm, stat, writeFile } from "node:fs/promises";
 import { basename, dirname, resolve } from "node:path";
 
 import { parseProject } from "../src/document/project";
-import { decodeText, extension, type NamedFile } from "../src/io/named-file";
+import { decodeText, decodeUri, extension, type NamedFile } from "../src/io/named-file";
 import { openProject, type OpenedProject } from "../src/io/project-file";
 import { isZip } from "../src/io/zip";
 
@@ -28,12 +28,19 @@ export async function loadProject(path: string): Promise<OpenedProject> {
 
 async function read(path: string, name: string, namedBy?: string): Promise<NamedFile> {
   try {
-    return { name, bytes: new Uint8Array(await readFile(path)) };
+    return { name, bytes: await readWhole(path) };
   } catch (error) {
     const code = codeOf(error);
-    const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : `it cannot be read (${code})`;
+    const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : code === "ENOTFILE" ? "it is not a file" : `it cannot be read (${code})`;
     throw new FileError(namedBy === undefined ? `${path}: ${why}.` : `${namedBy} names ${name}: ${why}.`);
   }
+}
+
+/** A device or a pipe may never end. */
+async function readWhole(path: string): Promise<Uint8Array> {
+  const found = await stat(path);
+  if (!found.isFile() && !found.isDirectory()) throw Object.assign(new Error("not a file"), { code: "ENOTFILE" });
+  return new Uint8Array(await readFile(path));
 }
 
 /** The materials, pictures and buffers that a model names; the reader says what is missing. */
@@ -41,11 +48,13 @@ async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]>
   const own = dirname(file.name);
   const found = await Promise.all(namesBeside(file).map(async (inner) => {
     const name = own === "." ? inner : `${own}/${inner}`;
-    const bytes = await readFile(resolve(folder, name)).catch(() => null);
-    return bytes ? [{ name, bytes: new Uint8Array(bytes) }] : [];
+    const bytes = await readWhole(resolve(folder, name)).catch(() => null);
+    return bytes ? [{ name, bytes }] : [];
   }));
   const files = found.flat();
-  const deeper = await Promise.all(files.map((other) => readBeside(other, folder)));
+  // A material names pictures, and these nothing: only a material goes deeper, whatever it names.
+  const materials = extension(file.name) === "obj" ? files.filter((other) => extension(other.name) === "mtl") : [];
+  const deeper = await Promise.all(materials.map((other) => readBeside(other, folder)));
   return [...files, ...deeper.flat()];
 }
 
@@ -54,7 +63,7 @@ function namesBeside({ name, bytes }: NamedFile): string[] {
   switch (extension(name)) {
     case "obj": return all(/^\s*mtllib\s+(.+)$/gm);
     case "mtl": return all(/^\s*map_Kd\s+(?:.*\s)?(\S+)\s*$/gm);
-    case "gltf": return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeURIComponent);
+    case "gltf": return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
     default: return [];
   }
 }

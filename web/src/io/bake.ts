@@ -15,6 +15,8 @@ export interface BakeOptions {
   signal?: AbortSignal;
   /** What is being done, and 0..1 of it. */
   onProgress?: (step: string, done: number) => void;
+  /** Told the number of frames before they are made; what it throws ends the bake. */
+  onSolved?: (frames: number) => void;
 }
 
 /** Binds, retargets and deforms all T frames. Keeps V x 3 floats per frame. Rejects with EngineError. */
@@ -29,6 +31,7 @@ export async function bake(
   await engine.setMesh(meshInput(model, document.mesh), call("Binding the model"));
   await engine.setControls(controlInputs(model, document), call("Binding the points"));
   const performance = await engine.retarget(retargetInput(model, document, motion), call("Solving"));
+  options.onSolved?.(performance.frames);
   const frames: Frame[] = [];
   const order = Array.from({ length: performance.frames }, (_, f) => f);
   await engine.frames(order, (index, frame) => (frames[index] = frame), call("Deforming"));

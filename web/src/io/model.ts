@@ -50,7 +50,7 @@ export interface Part {
 
 /**
  * Joins parts, welds them by position, drops what is no triangle any more or is there twice, and vertices that no face uses.
- * Errors (ModelError): no triangles; a coordinate that is not a number; a corner that does not exist; all on one spot.
+ * Errors (ModelError): no triangles; a coordinate that is not a number or beyond 1e12; a corner that does not exist; all on one spot.
  */
 export function buildModel(name: string, parts: readonly Part[], texture: Picture | null, notes: string[]): Model {
   const corners = joinParts(name, parts);
@@ -79,6 +79,9 @@ export function buildModel(name: string, parts: readonly Part[], texture: Pictur
 export function count(n: number, one: string, many = one + "s"): string {
   return `${n.toLocaleString("en-US")} ${n === 1 ? one : many}`;
 }
+
+/** The largest coordinate, as in a project. */
+const FARTHEST = 1e12;
 
 interface Corners {
   positions: Float32Array;
@@ -111,6 +114,7 @@ function joinParts(name: string, parts: readonly Part[]): Corners {
         for (let d = 0; d < 3; d++) {
           const x = Math.fround(part.positions[3 * corner + d]);
           if (!Number.isFinite(x)) throw new ModelError(`${name}: the place of vertex ${corner + 1} is not a number.`);
+          if (Math.abs(x) > FARTHEST) throw new ModelError(`${name}: vertex ${corner + 1} is too far away (${x.toPrecision(3)}).`);
           positions.push(x);
           if (colored) colors.push(part.colors ? part.colors[3 * corner + d] : 1);
         }

@@ -26,6 +26,15 @@ export function extension(path: string): string {
   return dot < 0 ? "" : name.slice(dot + 1).toLowerCase();
 }
 
+/** "oak%20wood.png" -> "oak wood.png"; as it is where that is no encoding. */
+export function decodeUri(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
 /** The file that `path` means, seen from the folder of `from`; else one of the same base name; else undefined. */
 export function findFile(files: readonly NamedFile[], path: string, from = ""): NamedFile | undefined {
   const wanted = normalPath(folder(from) + path);

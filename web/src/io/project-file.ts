@@ -4,6 +4,7 @@ import { DocumentError, parseProject, serializeProject } from "../document/proje
 import type { ProjectDocument } from "../document/types";
 import type { MotionInput } from "../engine/types";
 import { baseName, decodeText, findFile, type NamedFile, normalPath } from "./named-file";
+import { modelFormat } from "./model-format";
 import { findMotions } from "./read-motion-files";
 import { sortFiles } from "./sort-files";
 import { zip } from "./zip";
@@ -39,7 +40,7 @@ export function saveProject(document: ProjectDocument, files: readonly NamedFile
 
 /**
  * Opens a saved zip, or a project.json among the files that it names.
- * Errors (DocumentError): no project; parseProject's; a file that is not with it; files that are no motion.
+ * Errors (DocumentError): no project; parseProject's; a file that is not with it; one that is no model; files that are no motion.
  */
 export function openProject(dropped: readonly NamedFile[]): OpenedProject {
   const { project, files } = sortFiles(dropped);
@@ -50,6 +51,7 @@ export function openProject(dropped: readonly NamedFile[]): OpenedProject {
   if (text === null) throw new DocumentError(`${name} is not text, so it is no project.`);
   const { document } = parseProject(text, name);
   const model = needed(files, document.mesh.file, project.name, name);
+  if (modelFormat(model) === null) throw new DocumentError(`${name} names ${document.mesh.file}, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).`);
   return {
     document,
     modelFiles: [model, ...files.filter((file) => file !== model)],

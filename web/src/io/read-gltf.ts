@@ -4,7 +4,7 @@
 import { type Document, type GLTF, type JSONDocument, Logger, type mat4, type Node, Primitive, type Texture, WebIO } from "@gltf-transform/core";
 
 import { count, type Part, type Picture } from "./model";
-import { baseName, findFile, ModelError, type NamedFile } from "./named-file";
+import { baseName, decodeUri, findFile, ModelError, type NamedFile } from "./named-file";
 import { checkedPicture } from "./picture";
 
 const GLB_BIN = "@glb.bin";
@@ -14,13 +14,29 @@ const COMPRESSION: Record<string, string> = {
   KHR_meshopt_compression: "meshopt",
 };
 
-/** Errors (ModelError): not glTF 2.0; compressed; a .bin that is missing; no triangles. */
+/** Errors (ModelError): not glTF 2.0; broken; compressed; a .bin that is missing; no triangles. */
 export async function readGltf(
+  name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
+): Promise<{ parts: Part[]; texture: Picture | null }> {
+  try {
+    return await readSound(name, file, files, notes);
+  } catch (error) {
+    // What glTF Transform and we run into where a file's parts are of another kind or size than they say.
+    if (error instanceof TypeError || error instanceof RangeError) throw broken(name);
+    throw error;
+  }
+}
+
+function broken(name: string): ModelError {
+  return new ModelError(`${name} is a broken glTF file: it ends early or its parts do not fit.`);
+}
+
+async function readSound(
   name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
 ): Promise<{ parts: Part[]; texture: Picture | null }> {
   const source = splitGlb(name, file.bytes);
   const { json } = source;
-  if (!json.asset?.version?.startsWith("2")) throw new ModelError(`${name} is not glTF 2.0.`);
+  if (typeof json.asset?.version !== "string" || !json.asset.version.startsWith("2")) throw new ModelError(`${name} is not glTF 2.0.`);
   for (const extension of json.extensionsRequired ?? []) {
     const kind = COMPRESSION[extension];
     if (kind) throw new ModelError(`${name} is compressed with ${kind}. Save it without compression.`);
@@ -60,18 +76,17 @@ function textureOf(pictures: readonly Texture[], notes: string[]): Picture | nul
 
 function splitGlb(name: string, bytes: Uint8Array): JSONDocument {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const broken = new ModelError(`${name} is a broken glTF file: it ends early or its parts do not fit.`);
   let text = bytes;
   const resources: Record<string, Uint8Array<ArrayBuffer>> = {};
   if (bytes.length >= 4 && view.getUint32(0, true) === 0x46546c67) {
-    if (bytes.length < 20) throw broken;
+    if (bytes.length < 20) throw broken(name);
     const size = view.getUint32(12, true);
-    if (20 + size > bytes.length) throw broken;
+    if (20 + size > bytes.length) throw broken(name);
     text = bytes.subarray(20, 20 + size);
     const bin = 20 + size;
     if (bin + 8 <= bytes.length && view.getUint32(bin + 4, true) === 0x004e4942) {
       const length = view.getUint32(bin, true);
-      if (bin + 8 + length > bytes.length) throw broken;
+      if (bin + 8 + length > bytes.length) throw broken(name);
       resources[GLB_BIN] = bytes.slice(bin + 8, bin + 8 + length);
     }
   }
@@ -111,14 +126,6 @@ function keepBaseColor(json: GLTF.IGLTF): void {
     };
   });
   delete json.animations;
-}
-
-function decodeUri(uri: string): string {
-  try {
-    return decodeURIComponent(uri);
-  } catch {
-    return uri;
-  }
 }
 
 interface Found {

@@ -38,9 +38,13 @@ function checkedBinary(name: string, bytes: Uint8Array): ArrayBuffer {
 function checkedText(name: string, bytes: Uint8Array): string {
   const text = new TextDecoder().decode(bytes).trimStart();
   const wrong = (at: number, what: string): ModelError => new ModelError(`${name}, line ${at + 1}: ${what}.`);
+  let corners = 0;
   text.split(/\r\n|\r|\n/).forEach((line, at) => {
     const row = line.trim().split(/\s+/);
+    if (row[0] === "facet") corners = 0;
+    if (row[0] === "endfacet" && corners !== 3) throw wrong(at, `a triangle needs three corners, but this one has ${corners}`);
     if (row[0] !== "vertex") return;
+    corners++;
     if (row.length < 4) throw wrong(at, "a corner needs three numbers");
     const odd = row.slice(1, 4).find((token) => !Number.isFinite(Number(token)));
     if (odd !== undefined) throw wrong(at, `"${odd.slice(0, 20)}" is not a number`);

@@ -35,6 +35,11 @@ export function keptFrames(frames: number, every: number): number[] {
   return kept;
 }
 
+/** Bytes of a GLB with so many render vertices and kept frames, without what does not grow with both. */
+export function glbBytes(vertices: number, kept: number): number {
+  return 24 * vertices * kept + 4 * kept * kept;
+}
+
 /**
  * Y up, facing +Z, in the model's own units; travel and turn are in the vertices. Normals have targets too, because a model that
  * turns would be lit from the wrong side without; they double the size: 24 bytes per render vertex and kept frame.

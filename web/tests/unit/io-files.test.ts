@@ -40,8 +40,8 @@ describe("motions among files", () => {
   it("says what is missing", () => {
     expect(findMotions([textFile("02_01.amc", AMC)]).problems).toEqual(["02_01.amc needs its skeleton: drop the .asf with it."]);
     expect(findMotions([textFile("02.asf", ASF)]).problems).toEqual(["02.asf is a skeleton without a motion: drop an .amc with it."]);
-    expect(findMotions([junk("hop.bvh")])).toEqual({ motions: [], problems: ["hop.bvh is not text, so it is no BVH motion."] });
-    expect(findMotions([textFile("hop.bvh", " \n")])).toEqual({ motions: [], problems: ["hop.bvh is empty, not a BVH motion."] });
+    expect(findMotions([junk("hop.bvh")])).toEqual({ motions: [], problems: ["hop.bvh is not text, so it is no BVH file."] });
+    expect(findMotions([textFile("hop.bvh", " \n")])).toEqual({ motions: [], problems: ["hop.bvh is empty, so it is no BVH file."] });
   });
 
   it("goes by what a file says before its name, and reads UTF-16", () => {
@@ -107,6 +107,8 @@ describe("project files", () => {
     const json = textFile("project.json", serializeProject(document));
     expect(refusal(() => openProject([json, files[0], files[1]]))).toBe("project.json names 02_01.amc, which is not with it.");
     expect(refusal(() => openProject([files[0]]))).toBe("cow.obj holds no project.json.");
+    const noModel = textFile("project.json", serializeProject({ ...document, mesh: { ...document.mesh, file: "02.asf" } }));
+    expect(refusal(() => openProject([noModel, ...files]))).toBe("project.json names 02.asf, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).");
     const two = textFile("project.json", serializeProject({ ...document, motion: { files: ["02.asf"] } }));
     expect(refusal(() => openProject([two, ...files]))).toBe("project.json: 02.asf is a skeleton without a motion: drop an .amc with it.");
   });

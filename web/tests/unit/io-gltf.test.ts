@@ -142,6 +142,14 @@ describe("glTF beside its files", () => {
     expect((await readModel(flat)).drawn.texture?.mime).toBe("image/png");
   });
 
+  it("names a file whose parts are not what they say", async () => {
+    const { gltf, bin } = await parts();
+    const text = new TextDecoder().decode(gltf.bytes);
+    const odd = new TextEncoder().encode(text.replace(/"componentType": ?\d+/g, '"componentType":77'));
+    expect(await refusal({ ...gltf, bytes: odd }, bin)).toBe("table.gltf is a broken glTF file: it ends early or its parts do not fit.");
+    expect(await refusal({ ...gltf, bytes: new TextEncoder().encode('{"asset":{"version":2}}') })).toBe("table.gltf is not glTF 2.0.");
+  });
+
   it("names what is missing", async () => {
     const { gltf, bin } = await parts();
     expect(await refusal(gltf)).toBe("table.gltf needs data.bin; drop both together.");

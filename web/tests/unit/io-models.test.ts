@@ -213,6 +213,7 @@ describe("STL", () => {
     ["t.stl promises 4 triangles, but it ends after 3 triangles.", binary("cut").subarray(0, -10)],
     ['t.stl, line 5: "nan" is not a number.', ascii.replace("vertex 0 1 0", "vertex nan 1 0")],
     ["t.stl, line 5: a corner needs three numbers.", ascii.replace("vertex 0 1 0", "vertex 0 1")],
+    ["t.stl, line 7: a triangle needs three corners, but this one has 2.", ascii.replace("vertex 0 1 0\n", "")],
     ['t.stl ends before "endsolid".', ascii.slice(0, -15)],
     ["t.stl has no triangles.", "solid nothing\nendsolid nothing\n"],
     ["t.stl holds no STL model.", "hello"],
@@ -224,6 +225,10 @@ describe("STL", () => {
 
 it("tells a model by what it holds when its name is wrong", async () => {
   expect(sizes(await read("t.obj", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"))).toEqual([3, 1, 3]);
+});
+
+it("refuses coordinates that no number on the stage can hold", async () => {
+  expect(await refusal("t.off", "OFF\n3 1 0\n0 0 0\n3e38 0 0\n0 1 0\n3 0 1 2\n")).toBe("t.off: vertex 2 is too far away (3.00e+38).");
 });
 
 it("names what is no model", async () => {
