@@ -21,7 +21,7 @@ const server = await createServer({
   appType: "mpa",
   cacheDir: build + "vite",
   assetsInclude: ["**/*.glb"],
-  server: { host: "127.0.0.1", port: 5175, hmr: false },
+  server: { host: "127.0.0.1", port: 5175, strictPort: true, hmr: false },
 });
 await server.listen();
 
@@ -50,6 +50,7 @@ const draw = async (name, width, height, labels, skin) => {
   const data = json(name + ".json");
   const captions = labels.map((label, k) => `${label}, volume ${data.surfaces[k].volume.toFixed(2)}`);
   await page.evaluate(([surfaces, texts, glb]) => window.draw(surfaces, texts, glb), [data, captions, skin]);
+  await page.waitForTimeout(1500); // dots behind a surface fade
   await page.screenshot({ path: figures + name + ".png", timeout: 60_000 });
 };
 await draw("fig-4-1", 1204, 300, ["(a) rest", "(b) ARAP", "(b) thesis", "(b) ours", "(c) ARAP", "(c) thesis", "(c) ours"], CACTUS);
