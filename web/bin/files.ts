@@ -28,7 +28,7 @@ export async function loadProject(path: string): Promise<OpenedProject> {
 
 async function read(path: string, name: string, namedBy?: string): Promise<NamedFile> {
   try {
-    return { name, bytes: await readWhole(path) };
+    return { name, bytes: namedBy === undefined ? new Uint8Array(await readFile(path)) : await readWhole(path) };
   } catch (error) {
     const code = codeOf(error);
     const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : code === "ENOTFILE" ? "it is not a file" : `it cannot be read (${code})`;
@@ -36,7 +36,7 @@ async function read(path: string, name: string, namedBy?: string): Promise<Named
   }
 }
 
-/** A device or a pipe may never end. */
+/** For names that stand in a file: a device or a pipe may never end. */
 async function readWhole(path: string): Promise<Uint8Array> {
   const found = await stat(path);
   if (!found.isFile() && !found.isDirectory()) throw Object.assign(new Error("not a file"), { code: "ENOTFILE" });
@@ -59,10 +59,11 @@ async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]>
 }
 
 function namesBeside({ name, bytes }: NamedFile): string[] {
+  // No pattern may run over line ends or try one stretch of spaces in two ways: files can be long.
   const all = (pattern: RegExp): string[] => [...(decodeText(bytes) ?? "").matchAll(pattern)].map((match) => match[1].trim());
   switch (extension(name)) {
-    case "obj": return all(/^\s*mtllib\s+(.+)$/gm);
-    case "mtl": return all(/^\s*map_Kd\s+(?:.*\s)?(\S+)\s*$/gm);
+    case "obj": return all(/^[ \t]*mtllib[ \t](.+)$/gm);
+    case "mtl": return all(/^[ \t]*map_Kd[ \t](.+)$/gm).map((words) => words.split(/\s+/).at(-1) ?? "");
     case "gltf": return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
     default: return [];
   }

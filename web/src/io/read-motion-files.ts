@@ -23,8 +23,8 @@ export interface FoundMotions {
 export function motionFormat(file: NamedFile): MotionFormat | null {
   const head = decodeText(file.bytes.subarray(0, 65536)) ?? "";
   if (/^\s*HIERARCHY\b/i.test(head)) return "bvh";
-  if (/^\s*:bonedata\b/im.test(head)) return "asf";
-  if (/^\s*:(fully-specified|degrees|radians)\b/im.test(head)) return "amc";
+  if (/^[ \t]*:bonedata\b/im.test(head)) return "asf";
+  if (/^[ \t]*:(fully-specified|degrees|radians)\b/im.test(head)) return "amc";
   return MOTION_EXTENSIONS.find((known) => known === extension(file.name)) ?? null;
 }
 

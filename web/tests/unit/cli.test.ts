@@ -154,7 +154,7 @@ describe("what cannot be done", () => {
   it("is not led astray by what a model names beside it", async () => {
     writeFileSync(join(folder, "project.json"), project({ mesh: { file: "bean.obj" } }));
     writeFileSync(join(folder, "hop.bvh"), hop);
-    writeFileSync(join(folder, "bean.obj"), "mtllib bean.obj\nmtllib a.mtl\nmtllib /dev/zero\n" + bean);
+    writeFileSync(join(folder, "bean.obj"), "\n".repeat(300_000) + "mtllib bean.obj\nmtllib a.mtl\nmtllib /dev/zero\n" + bean);
     writeFileSync(join(folder, "a.mtl"), "newmtl a\nmap_Kd a.mtl\n");
     expect(await rigless("bake", "project.json", "--track", "t.json", "-q")).toEqual({ code: 0, stdout: "", stderr: "" });
     const gltf = '{"asset":{"version":"2.0"},"buffers":[{"uri":"%zz.bin","byteLength":4}]}';
