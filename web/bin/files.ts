@@ -46,7 +46,7 @@ async function readWhole(path: string): Promise<Uint8Array> {
 /** The materials, pictures and buffers that a model names; the reader says what is missing. */
 async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]> {
   const own = dirname(file.name);
-  const found = await Promise.all(namesBeside(file).map(async (inner) => {
+  const found = await Promise.all([...new Set(namesBeside(file))].map(async (inner) => {
     const name = own === "." ? inner : `${own}/${inner}`;
     const bytes = await readWhole(resolve(folder, name)).catch(() => null);
     return bytes ? [{ name, bytes }] : [];
