@@ -44,7 +44,7 @@ RIGLESS_ONCE Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces
     for (const Face& f : faces) {
       for (std::size_t k = 0; k < 3; ++k) pairs.push_back({f[k], f[(k + 1) % 3]});
     }
-    cells.ring = one_ring_from_pairs(std::move(pairs), count);
+    cells.ring = one_ring_from_pairs(pairs, count);
   }
   cells.weight = Weights::template of<S>(rest, faces, cells.ring);
   for (const auto& [a, b] : ties) {

@@ -38,22 +38,36 @@ inline Status check_faces(Span<const Face> faces, std::int32_t vertices) {
   return {};
 }
 
-// Builds the table from undirected pairs (each side may be given any number of times). Allocates.
-RIGLESS_ONCE inline OneRing one_ring_from_pairs(std::vector<std::array<std::int32_t, 2>> pairs, std::int32_t vertices) {
-  const std::size_t count = pairs.size();
-  pairs.reserve(2 * count);
-  for (std::size_t k = 0; k < count; ++k) pairs.push_back({pairs[k][1], pairs[k][0]});
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  OneRing ring;
-  ring.first.assign(static_cast<std::size_t>(vertices) + 1, 0);
-  ring.neighbor.reserve(pairs.size());
-  for (const auto& [i, j] : pairs) {
-    if (i == j) continue;
-    ring.first[static_cast<std::size_t>(i) + 1]++;
-    ring.neighbor.push_back(j);
+// Builds the table from undirected pairs (each side may be given any number of times), by buckets: sorting all pairs at
+// once took half of a binding. Allocates.
+RIGLESS_ONCE inline OneRing one_ring_from_pairs(const std::vector<std::array<std::int32_t, 2>>& pairs,
+                                                std::int32_t vertices) {
+  const auto n = static_cast<std::size_t>(vertices);
+  std::vector<std::int32_t> begin(n + 1, 0);
+  for (const auto& [a, b] : pairs) {
+    begin[static_cast<std::size_t>(a) + 1]++;
+    begin[static_cast<std::size_t>(b) + 1]++;
   }
-  for (std::size_t i = 1; i < ring.first.size(); ++i) ring.first[i] += ring.first[i - 1];
+  for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
+  std::vector<std::int32_t> bucket(2 * pairs.size()), end(begin.begin(), begin.end() - 1);
+  for (const auto& [a, b] : pairs) {
+    bucket[static_cast<std::size_t>(end[static_cast<std::size_t>(a)]++)] = b;
+    bucket[static_cast<std::size_t>(end[static_cast<std::size_t>(b)]++)] = a;
+  }
+  OneRing ring;
+  ring.first.reserve(n + 1);
+  ring.first.push_back(0);
+  ring.neighbor.reserve(bucket.size() / 2);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::sort(bucket.begin() + begin[i], bucket.begin() + end[i]);
+    std::int32_t last = static_cast<std::int32_t>(i);  // never its own neighbour
+    for (std::int32_t k = begin[i]; k < end[i]; ++k) {
+      const std::int32_t j = bucket[static_cast<std::size_t>(k)];
+      if (j != last && j != static_cast<std::int32_t>(i)) ring.neighbor.push_back(j);
+      last = j;
+    }
+    ring.first.push_back(static_cast<std::int32_t>(ring.neighbor.size()));
+  }
   return ring;
 }
 
@@ -65,7 +79,7 @@ RIGLESS_ONCE inline OneRing one_ring(Span<const Face> faces, std::int32_t vertic
   for (const Face& f : faces) {
     for (std::size_t k = 0; k < 3; ++k) pairs.push_back({f[k], f[(k + 1) % 3]});
   }
-  return one_ring_from_pairs(std::move(pairs), vertices);
+  return one_ring_from_pairs(pairs, vertices);
 }
 
 }  // namespace rigless

@@ -172,7 +172,7 @@ RIGLESS_ONCE std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3
           pairs.push_back({static_cast<std::int32_t>(i), ring.neighbor[static_cast<std::size_t>(k)]});
         }
       }
-      shells = find_shells(one_ring_from_pairs(std::move(pairs), ring.vertices()));
+      shells = find_shells(one_ring_from_pairs(pairs, ring.vertices()));
     }
   }
   return ties;
