@@ -44,7 +44,7 @@ class Bench {
 
   bool small() const { return small_; }
 
-  // Calls work() repeatedly and reports it under `name` (no commas). Gives the median in milliseconds.
+  // Calls work() repeatedly and reports it under `name`. Gives the median in milliseconds.
   template <class F>
   double run(const std::string& name, F&& work, std::size_t runs = 50) {
     return run(name, work, runs, [] {});
@@ -150,7 +150,9 @@ class Bench {
     if (csv_.empty()) return;
     std::FILE* file = std::fopen(csv_.c_str(), "a");
     if (file == nullptr) std::exit(1);
-    std::fprintf(file, "%s,%s,%s\n", build, name.c_str(), numbers);
+    std::string field = name;
+    std::replace(field.begin(), field.end(), ',', ';');
+    std::fprintf(file, "%s,%s,%s\n", build, field.c_str(), numbers);
     std::fclose(file);
   }
 

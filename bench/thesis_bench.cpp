@@ -1,6 +1,7 @@
 // Section 4.1 of the thesis again: Table 4.1, the energy curves of Fig 4.3, the surfaces of Fig 4.1 and 3.6, and how
 // much volume each kind of deformation keeps. --out DIR writes them there as JSON; cactus.obj in DIR stands for the
 // cactus.
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
