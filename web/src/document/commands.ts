@@ -2,7 +2,7 @@
 // already there gives the same document back.
 
 import type { Command } from "./store";
-import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings, Vec3 } from "./types";
+import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings } from "./types";
 
 export const DEFAULT_SETTINGS: Settings = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
 
@@ -31,14 +31,8 @@ export const addPoint = (point: Point): Command => (document) =>
 
 export const renamePoint = (id: string, name: string): Command => updatePoint(id, { name });
 
-/** Moves a point to another place on the rest surface. */
-export const movePoint = (id: string, position: Vec3): Command => updatePoint(id, { position });
-
 /** Lets a joint drive a point; null: it follows the whole pose. */
 export const pairPoint = (id: string, joint: string | null): Command => updatePoint(id, { joint });
-
-/** Radius of a point's disc in model heights. */
-export const resizePoint = (id: string, radius: number): Command => updatePoint(id, { radius });
 
 /** Takes a point away, from the examples too. */
 export const removePoint = (id: string): Command => (document) => {
@@ -52,12 +46,6 @@ export const removePoint = (id: string): Command => (document) => {
 
 export const addExample = (example: Example): Command => (document) =>
   has(document.examples, example.id) ? document : { ...document, examples: [...document.examples, example] };
-
-/** Moves points of an example; points that are not named stay where they are. */
-export const updateExample = (id: string, points: Readonly<Record<string, Vec3>>): Command => (document) =>
-  change(document, {
-    examples: replace(document.examples, id, (example) => ({ ...example, points: { ...example.points, ...points } })),
-  });
 
 export const removeExample = (id: string): Command => (document) =>
   has(document.examples, id) ? { ...document, examples: document.examples.filter((example) => example.id !== id) } : document;
