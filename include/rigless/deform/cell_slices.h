@@ -26,6 +26,7 @@ struct CellSlices {
     L inverse_size = {};        // 1 / sum w |e|^2
     L size = {};
     L idle = {};       // 1 where there is nothing to fit
+    L pull[3] = {};    // sum w e
     L moment[6] = {};  // sum w e e^T: xx, xy, xz, yy, yz, zz
   };
 
@@ -35,9 +36,12 @@ struct CellSlices {
   std::vector<Slot> slot;
   std::vector<std::int32_t> other;    // slots x width: row of the neighbour
   std::vector<std::int32_t> lane_of;  // n: place -> slice * width + lane
-  std::vector<L> edges;               // scratch: 3 per slot of the longest slice
+  std::vector<L> edges;               // scratch: 3 per slot of the longest slice, for two slices
 
   std::size_t size() const { return cell.size(); }
+
+  // Room for the present edges of slice s, until those of slice s + 2.
+  L* edges_of(std::size_t s) { return edges.data() + s % 2 * (edges.size() / 2); }
 
   // s R of the cell at `place`, as last fitted.
   Mat3<S> transform(std::int32_t place_of) const {
@@ -115,6 +119,7 @@ RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
           out.other[s * width + k] = place_of[j];
           const S moment[6] = {e.x() * e.x(), e.x() * e.y(), e.x() * e.z(),
                                e.y() * e.y(), e.y() * e.z(), e.z() * e.z()};
+          for (int a = 0; a < 3; ++a) cell.pull[a][lane] += w * e[a];
           for (int a = 0; a < 6; ++a) cell.moment[a][lane] += w * moment[a];
           ++s;
         });
@@ -122,7 +127,7 @@ RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
       for (; s < out.slot.size(); ++s) out.other[s * width + k] = row;
     }
   }
-  out.edges.resize(3 * longest);
+  out.edges.resize(2 * 3 * longest);
   return out;
 }
 

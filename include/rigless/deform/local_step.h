@@ -14,15 +14,23 @@ struct PointLanes {
   simd::Lanes<S> x, y, z;
 };
 
-// C = sum w e e'^T of one slice; keeps the present edges e' in slices.edges.
+// What one slice takes from the surface.
 template <class S>
-inline MatrixLanes<S> slice_covariance(CellSlices<S>& slices, std::size_t s, const simd::Quad<S>* x) {
+struct Gathered {
+  MatrixLanes<S> C;    // sum w e e'^T
+  PointLanes<S> pull;  // sum w e'
+};
+
+// Edges e' are kept in slices.edges_of(s) if asked.
+template <bool keep_edges, class S>
+inline Gathered<S> gather_slice(CellSlices<S>& slices, std::size_t s, const simd::Quad<S>* x) {
   using L = simd::Lanes<S>;
   constexpr int width = simd::width<S>;
   PointLanes<S> at;
   simd::gather<S, width>(x, slices.place.data() + s * width, at.x, at.y, at.z);
-  MatrixLanes<S> C = {};
-  L* edge = slices.edges.data();
+  Gathered<S> g = {};
+  auto& C = g.C;
+  L* edge = slices.edges_of(s);
   for (auto k = static_cast<std::size_t>(slices.first[s]); k < static_cast<std::size_t>(slices.first[s + 1]); ++k) {
     PointLanes<S> to;
     simd::gather<S, width>(x, slices.other.data() + k * width, to.x, to.y, to.z);
@@ -37,16 +45,21 @@ inline MatrixLanes<S> slice_covariance(CellSlices<S>& slices, std::size_t s, con
     C.m[6] += slot.wz * ex;
     C.m[7] += slot.wz * ey;
     C.m[8] += slot.wz * ez;
-    edge[0] = ex;
-    edge[1] = ey;
-    edge[2] = ez;
-    edge += 3;
+    g.pull.x += slot.w * ex;
+    g.pull.y += slot.w * ey;
+    g.pull.z += slot.w * ez;
+    if constexpr (keep_edges) {
+      edge[0] = ex;
+      edge[1] = ey;
+      edge[2] = ez;
+      edge += 3;
+    }
   }
   const L idle = slices.cell[s].idle;
   C.m[0] += idle;
   C.m[4] += idle;
   C.m[8] += idle;
-  return C;
+  return g;
 }
 
 // tr(R C), which is e'.e^r.
@@ -59,32 +72,43 @@ inline simd::Lanes<S> trace_of_product(const MatrixLanes<S>& R, const MatrixLane
   return t;
 }
 
-// Spreads half of w (M e - e') to both ends of every edge of the slice, and gives sum w |M e - e'|^2 if asked.
-template <class S, bool with_energy>
-inline simd::Lanes<S> spread_residual(CellSlices<S>& slices, std::size_t s, const MatrixLanes<S>& M, simd::Quad<S>* r) {
-  using L = simd::Lanes<S>;
+// (M e) of lanes.
+template <class S>
+inline PointLanes<S> product(const MatrixLanes<S>& M, simd::Lanes<S> x, simd::Lanes<S> y, simd::Lanes<S> z) {
+  return {M.m[0] * x + M.m[1] * y + M.m[2] * z, M.m[3] * x + M.m[4] * y + M.m[5] * z,
+          M.m[6] * x + M.m[7] * y + M.m[8] * z};
+}
+
+// Adds what this slice knows of the residual: to its own rows sum w (M e / 2 - e'), to each neighbour's - w M e / 2.
+template <class S>
+inline void spread_residual(const CellSlices<S>& slices, std::size_t s, MatrixLanes<S> M, const PointLanes<S>& pull,
+                            simd::Quad<S>* r) {
   constexpr int width = simd::width<S>;
-  const L* edge = slices.edges.data();
-  PointLanes<S> sum = {};
-  L energy = {};
-  const L half = simd::splat<L>(S(0.5));
+  for (auto& m : M.m) m *= S(-0.5);
   for (auto k = static_cast<std::size_t>(slices.first[s]); k < static_cast<std::size_t>(slices.first[s + 1]); ++k) {
     const auto& e = slices.slot[k];
-    const L tx = half * (M.m[0] * e.wx + M.m[1] * e.wy + M.m[2] * e.wz - e.w * edge[0]);
-    const L ty = half * (M.m[3] * e.wx + M.m[4] * e.wy + M.m[5] * e.wz - e.w * edge[1]);
-    const L tz = half * (M.m[6] * e.wx + M.m[7] * e.wy + M.m[8] * e.wz - e.w * edge[2]);
-    edge += 3;
-    if constexpr (with_energy) {
-      const L zero = {};
-      energy += simd::select(e.w > zero, S(4) * (tx * tx + ty * ty + tz * tz) / e.w, zero);
-    }
-    if (r == nullptr) continue;
-    sum.x += tx;
-    sum.y += ty;
-    sum.z += tz;
-    simd::scatter_add<S, width>(r, slices.other.data() + k * width, -tx, -ty, -tz);
+    const PointLanes<S> t = product(M, e.wx, e.wy, e.wz);
+    simd::scatter_add<S, width>(r, slices.other.data() + k * width, t.x, t.y, t.z);
   }
-  if (r != nullptr) simd::scatter_add<S, width>(r, slices.place.data() + s * width, sum.x, sum.y, sum.z);
+  const auto& b = slices.cell[s].pull;
+  const PointLanes<S> t = product(M, b[0], b[1], b[2]);
+  simd::scatter_add<S, width>(r, slices.place.data() + s * width, -t.x - pull.x, -t.y - pull.y, -t.z - pull.z);
+}
+
+// sum w |M e - e'|^2 over the edges of each lane's cell.
+template <class S>
+inline simd::Lanes<S> edge_energy(CellSlices<S>& slices, std::size_t s, const MatrixLanes<S>& M) {
+  using L = simd::Lanes<S>;
+  const L* edge = slices.edges_of(s);
+  L energy = {};
+  const L zero = {};
+  for (auto k = static_cast<std::size_t>(slices.first[s]); k < static_cast<std::size_t>(slices.first[s + 1]); ++k) {
+    const auto& e = slices.slot[k];
+    const PointLanes<S> p = product(M, e.wx, e.wy, e.wz);
+    const L tx = p.x - e.w * edge[0], ty = p.y - e.w * edge[1], tz = p.z - e.w * edge[2];
+    edge += 3;
+    energy += simd::select(e.w > zero, (tx * tx + ty * ty + tz * tz) / e.w, zero);
+  }
   return energy;
 }
 
@@ -130,13 +154,13 @@ inline PointLanes<S> top_eigenvector(const simd::Lanes<S> (&d)[6]) {
 
 // V_i R_i of one slice after Eq 3.8-3.11 of the thesis; law maps stretch to s'.
 template <class S, class Law>
-inline MatrixLanes<S> volume_transforms(const CellSlices<S>& slices, std::size_t s, const MatrixLanes<S>& R,
+inline MatrixLanes<S> volume_transforms(CellSlices<S>& slices, std::size_t s, const MatrixLanes<S>& R,
                                         const MatrixLanes<S>& C, const Law& law) {
   using L = simd::Lanes<S>;
   constexpr int width = simd::width<S>;
   const auto& cell = slices.cell[s];
   L D[6] = {};  // sum w d d^T, d = e' - R e
-  const L* edge = slices.edges.data();
+  const L* edge = slices.edges_of(s);
   for (auto k = static_cast<std::size_t>(slices.first[s]); k < static_cast<std::size_t>(slices.first[s + 1]); ++k) {
     const auto& e = slices.slot[k];
     const L zero = {};
@@ -184,23 +208,44 @@ inline MatrixLanes<S> volume_transforms(const CellSlices<S>& slices, std::size_t
   return M;
 }
 
-template <class S>
-inline void scale_matrix(MatrixLanes<S>& M, simd::Lanes<S> s) {
-  for (auto& m : M.m) m *= s;
-}
-
 // The energy of one slice with transform s R: every edge from this end, plus the elastic term.
 template <class S>
-inline double slice_energy(const typename CellSlices<S>::Cell& cell, simd::Lanes<S> edges, simd::Lanes<S> scale,
+inline double slice_energy(CellSlices<S>& slices, std::size_t s, const MatrixLanes<S>& M, simd::Lanes<S> scale,
                            const ElasticScale<S>& elastic) {
+  const simd::Lanes<S> edges = edge_energy(slices, s, M);
   double energy = 0;
   for (int k = 0; k < simd::width<S>; ++k) {
     energy += static_cast<double>(edges[k]);
     if (std::isfinite(elastic.mu)) {
-      energy += static_cast<double>(elastic.mu * cell.size[k] * (scale[k] - S(1)) * (scale[k] - S(1)));
+      energy += static_cast<double>(elastic.mu * slices.cell[s].size[k] * (scale[k] - S(1)) * (scale[k] - S(1)));
     }
   }
   return energy;
+}
+
+// s R that fits C best, from the rotation q on; q is what R was then. `give` is 1 / (1 + mu).
+template <class S>
+inline MatrixLanes<S> fit_transform(const MatrixLanes<S>& C, simd::Lanes<S> inverse_size, S give, QuaternionLanes<S>& q,
+                                    simd::Lanes<S>& scale) {
+  fit_rotations(C, q);
+  MatrixLanes<S> M = rotation_matrix(q);
+  scale = S(1) + (trace_of_product(M, C) * inverse_size - S(1)) * give;
+  for (auto& m : M.m) m *= scale;
+  return M;
+}
+
+// Calls f(s, gathered) for every slice. What the next slice takes from the surface is fetched between `fit` and
+// `spread`, so that the long chain of a fit hides behind it.
+template <bool keep_edges, class S, class Fit, class Spread>
+inline void for_each_slice(CellSlices<S>& slices, const simd::Quad<S>* x, const Fit& fit, const Spread& spread) {
+  if (slices.size() == 0) return;
+  Gathered<S> next = gather_slice<keep_edges>(slices, 0, x);
+  for (std::size_t s = 0; s < slices.size(); ++s) {
+    const Gathered<S> now = next;
+    const auto fitted = fit(s, now.C);
+    if (s + 1 < slices.size()) next = gather_slice<keep_edges>(slices, s + 1, x);
+    spread(s, fitted, now);
+  }
 }
 
 }  // namespace detail
@@ -211,29 +256,32 @@ template <bool with_energy, class S>
 double shape_step(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticScale<S>& elastic, simd::Quad<S>* r) {
   const S give = S(1) / (S(1) + elastic.mu);
   double energy = 0;
-  for (std::size_t s = 0; s < slices.size(); ++s) {
-    const MatrixLanes<S> C = detail::slice_covariance(slices, s, x);
-    auto& cell = slices.cell[s];
-    fit_rotations(C, cell.q);
-    MatrixLanes<S> M = rotation_matrix(cell.q);
-    cell.scale = S(1) + (detail::trace_of_product(M, C) * cell.inverse_size - S(1)) * give;
-    detail::scale_matrix<S>(M, cell.scale);
-    const simd::Lanes<S> edges = detail::spread_residual<S, with_energy>(slices, s, M, r);
-    if constexpr (with_energy) energy += detail::slice_energy<S>(cell, edges, cell.scale, elastic);
-  }
+  detail::for_each_slice<with_energy>(
+      slices, x,
+      [&](std::size_t s, const MatrixLanes<S>& C) {
+        auto& cell = slices.cell[s];
+        return detail::fit_transform(C, cell.inverse_size, give, cell.q, cell.scale);
+      },
+      [&](std::size_t s, const MatrixLanes<S>& M, const detail::Gathered<S>& now) {
+        if constexpr (with_energy) energy += detail::slice_energy(slices, s, M, slices.cell[s].scale, elastic);
+        detail::spread_residual(slices, s, M, now.pull, r);
+      });
   return energy;
 }
 
 // The same for the pose state; rotations are refitted but not kept. Source: thesis Eq 3.7-3.11.
 template <class S, class Law>
 void pose_step(CellSlices<S>& slices, const simd::Quad<S>* x, const Law& law, simd::Quad<S>* r) {
-  for (std::size_t s = 0; s < slices.size(); ++s) {
-    const MatrixLanes<S> C = detail::slice_covariance(slices, s, x);
-    QuaternionLanes<S> q = slices.cell[s].q;
-    fit_rotations(C, q);
-    const MatrixLanes<S> R = rotation_matrix(q);
-    detail::spread_residual<S, false>(slices, s, detail::volume_transforms(slices, s, R, C, law), r);
-  }
+  detail::for_each_slice<true>(
+      slices, x,
+      [&](std::size_t s, const MatrixLanes<S>& C) {
+        QuaternionLanes<S> q = slices.cell[s].q;
+        fit_rotations(C, q);
+        return detail::volume_transforms(slices, s, rotation_matrix(q), C, law);
+      },
+      [&](std::size_t s, const MatrixLanes<S>& M, const detail::Gathered<S>& now) {
+        detail::spread_residual(slices, s, M, now.pull, r);
+      });
 }
 
 // Shape energy of x with R and s refitted, summed in double; every edge counts from both its ends. Changes nothing.
@@ -242,15 +290,11 @@ double shape_energy(CellSlices<S>& slices, const simd::Quad<S>* x, const Elastic
   const S give = S(1) / (S(1) + elastic.mu);
   double energy = 0;
   for (std::size_t s = 0; s < slices.size(); ++s) {
-    const MatrixLanes<S> C = detail::slice_covariance(slices, s, x);
-    const auto& cell = slices.cell[s];
-    QuaternionLanes<S> q = cell.q;
-    fit_rotations(C, q);
-    MatrixLanes<S> M = rotation_matrix(q);
-    const simd::Lanes<S> scale = S(1) + (detail::trace_of_product(M, C) * cell.inverse_size - S(1)) * give;
-    detail::scale_matrix<S>(M, scale);
-    const simd::Lanes<S> edges = detail::spread_residual<S, true>(slices, s, M, nullptr);
-    energy += detail::slice_energy<S>(cell, edges, scale, elastic);
+    const MatrixLanes<S> C = detail::gather_slice<true>(slices, s, x).C;
+    QuaternionLanes<S> q = slices.cell[s].q;
+    simd::Lanes<S> scale;
+    const MatrixLanes<S> M = detail::fit_transform(C, slices.cell[s].inverse_size, give, q, scale);
+    energy += detail::slice_energy(slices, s, M, scale, elastic);
   }
   return energy;
 }

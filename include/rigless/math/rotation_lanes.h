@@ -93,13 +93,8 @@ inline void fit_rotations(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
   simd::Lanes<S> step2 = {};
   for (int attempt = 0; attempt < 4; ++attempt) {
     step2 = detail::newton_step(C, q);
-    bool done = true, lost = false;
-    for (int k = 0; k < lanes; ++k) {
-      done &= step2[k] >= S(0) && step2[k] <= settled;
-      lost |= step2[k] < S(0);
-    }
-    if (done) return;
-    if (lost) break;
+    if (!simd::any((step2 < S(0)) | ~(step2 <= settled))) return;
+    if (simd::any(step2 < S(0))) break;
   }
   for (int k = 0; k < lanes; ++k) {
     if (step2[k] >= S(0) && step2[k] <= settled) continue;

@@ -50,6 +50,15 @@ inline V select(M mask, V a, V b) {
   return mask ? a : b;
 }
 
+// Whether a comparison holds in any lane.
+template <class M>
+inline bool any(M mask) {
+  std::uint64_t words[sizeof(M) / 8], all = 0;
+  std::memcpy(words, &mask, sizeof(M));
+  for (const std::uint64_t w : words) all |= w;
+  return all != 0;
+}
+
 // Rows of N quads, picked by index, as three vectors of N x, y and z.
 template <class S, int N>
 inline void gather(const Quad<S>* rows, const std::int32_t* index, Vector<S, N>& x, Vector<S, N>& y, Vector<S, N>& z) {
@@ -95,11 +104,19 @@ inline void scatter_add(Quad<S>* rows, const std::int32_t* index, Vector<S, N> x
     rows[index[2]] += __builtin_shufflevector(xy_high, z_high, 0, 1, 4, 5);
     rows[index[3]] += __builtin_shufflevector(xy_high, z_high, 2, 3, 6, 7);
   } else if constexpr (N == 8) {
-    const auto half = [](Vector<S, 8> v, int part) {
-      return part == 0 ? __builtin_shufflevector(v, v, 0, 1, 2, 3) : __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    const Vector<S, 8> zero = {};
+    const Vector<S, 8> xy_low = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13),
+                       xy_high = __builtin_shufflevector(x, y, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Vector<S, 8> z_low = __builtin_shufflevector(z, zero, 0, 8, 1, 9, 4, 12, 5, 13),
+                       z_high = __builtin_shufflevector(z, zero, 2, 10, 3, 11, 6, 14, 7, 15);
+    const auto pair = [&](int k, Vector<S, 8> both) {
+      rows[index[k]] += __builtin_shufflevector(both, both, 0, 1, 2, 3);
+      rows[index[k + 4]] += __builtin_shufflevector(both, both, 4, 5, 6, 7);
     };
-    scatter_add<S, 4>(rows, index, half(x, 0), half(y, 0), half(z, 0));
-    scatter_add<S, 4>(rows, index + 4, half(x, 1), half(y, 1), half(z, 1));
+    pair(0, __builtin_shufflevector(xy_low, z_low, 0, 1, 8, 9, 4, 5, 12, 13));
+    pair(1, __builtin_shufflevector(xy_low, z_low, 2, 3, 10, 11, 6, 7, 14, 15));
+    pair(2, __builtin_shufflevector(xy_high, z_high, 0, 1, 8, 9, 4, 5, 12, 13));
+    pair(3, __builtin_shufflevector(xy_high, z_high, 2, 3, 10, 11, 6, 7, 14, 15));
   } else {
     for (int k = 0; k < N; ++k) rows[index[k]] += Quad<S>{x[k], y[k], z[k], S(0)};
   }
