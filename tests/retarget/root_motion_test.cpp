@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("root motion: from contacts", S, double, float) {
   const auto file = golden("footlock.json");
   const auto in = walk<S>(file);
   std::vector<Vec3<S>> root;
-  REQUIRE(rigless::root_from_contacts<S>(in.tracks, in.labels, std::vector<S>(2), {}, root).ok());
+  REQUIRE(rigless::root_from_contacts<S>(in.tracks, in.labels, std::vector<S>(2), {}, {}, root).ok());
   CHECK(worst(root, file["root"]) <= (std::is_same_v<S, double> ? 1e-8 : 1e-5));
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("root motion: a treadmill gives its speed at any rate, soles stand on 
     options.fps = fps;
     const std::vector<double> ground = {0.05, 0.2};
     REQUIRE(
-        rigless::root_from_contacts<double>(tracks, std::vector<std::uint8_t>(tracks.size(), 1), ground, options, root)
+        rigless::root_from_contacts<double>(tracks, std::vector<std::uint8_t>(tracks.size(), 1), ground, {}, options, root)
             .ok());
     CHECK(root.back().z() - root.front().z() == doctest::Approx(1.5).epsilon(0.06));
     CHECK(root.back().y() == doctest::Approx(0.9));
@@ -79,8 +79,8 @@ TEST_CASE("root motion: bad input is refused") {
   std::vector<Vec3<double>> tracks(4, Vec3<double>::Zero()), root(1, Vec3<double>::Ones());
   const std::vector<std::uint8_t> labels(3);
   const std::vector<double> ground(2);
-  CHECK(rigless::root_from_contacts<double>(tracks, labels, ground, {}, root).error == rigless::Error::size_mismatch);
-  CHECK(rigless::root_from_contacts<double>(tracks, labels, {}, {}, root).error == rigless::Error::no_controls);
+  CHECK(rigless::root_from_contacts<double>(tracks, labels, ground, {}, {}, root).error == rigless::Error::size_mismatch);
+  CHECK(rigless::root_from_contacts<double>(tracks, labels, {}, {}, {}, root).error == rigless::Error::no_controls);
   CHECK(root.size() == 1);
 }
 
@@ -117,13 +117,13 @@ TEST_CASE_TEMPLATE("foot lock: standing feet do not slide", S, double, float) {
   const auto file = golden("footlock.json");
   auto in = walk<S>(file);
   std::vector<Vec3<S>> root;
-  REQUIRE(rigless::root_from_contacts<S>(in.tracks, in.labels, std::vector<S>(2), {}, root).ok());
+  REQUIRE(rigless::root_from_contacts<S>(in.tracks, in.labels, std::vector<S>(2), {}, {}, root).ok());
   for (std::size_t i = 0; i < in.tracks.size(); ++i) in.tracks[i] += Vec3<S>(root[i / 2].x(), 0, root[i / 2].z());
   const auto before = rigless::measure_slip<S>(in.tracks, in.labels, 2, S(30));
   rigless::FootLockOptions<S> options;
   options.height_smoothness = options.smoothness;  // as in the golden case
   const std::vector<S> ground(2, S(0));
-  REQUIRE(rigless::lock_feet<S>(in.tracks, in.labels, ground, options).ok());
+  REQUIRE(rigless::lock_feet<S>(in.tracks, in.labels, {}, ground, options).ok());
   std::vector<Vec3<S>> reference;
   for (const auto& row : file["locked"].array())
     for (const auto& p : row.array()) reference.push_back(p.vec3<S>());
@@ -143,9 +143,9 @@ TEST_CASE("foot lock: without contacts nothing changes, ground heights are kept"
   auto in = walk<double>(golden("footlock.json"));
   const auto original = in.tracks;
   const std::vector<double> ground = {0.07, 0.02};
-  REQUIRE(rigless::lock_feet<double>(in.tracks, std::vector<std::uint8_t>(in.labels.size(), 0), ground, {}).ok());
+  REQUIRE(rigless::lock_feet<double>(in.tracks, std::vector<std::uint8_t>(in.labels.size(), 0), {}, ground, {}).ok());
   CHECK(in.tracks == original);
-  REQUIRE(rigless::lock_feet<double>(in.tracks, in.labels, ground, {}).ok());
+  REQUIRE(rigless::lock_feet<double>(in.tracks, in.labels, {}, ground, {}).ok());
   for (std::size_t i = 0; i < in.tracks.size(); ++i)
     if (in.labels[i] != 0) CHECK(std::abs(in.tracks[i].y() - ground[i % 2]) < 1e-12);
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/joint_roles.h"
 #include "rigless/motion/signal.h"
@@ -55,6 +56,9 @@ Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles, const Conta
 // `frames` labels, 1 where the nearest source frame is in a run. Allocates the result.
 template <class S>
 std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S source_fps, S fps, std::int32_t frames);
+
+// Flights inside the clip, in order, none over another and none without a frame in the air. Allocates.
+inline std::vector<Flight> tidy_flights(Span<const Flight> flights, std::int32_t frames);
 
 // The same flights at another rate, outwards to whole frames; those that fall together to nothing are gone. Allocates.
 template <class S>
@@ -209,6 +213,17 @@ std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S so
     }
   }
   return labels;
+}
+
+inline std::vector<Flight> tidy_flights(Span<const Flight> flights, std::int32_t frames) {
+  std::vector<Flight> sorted(flights.begin(), flights.end()), tidy;
+  std::sort(sorted.begin(), sorted.end(), [](const Flight& a, const Flight& b) { return a.take_off < b.take_off; });
+  for (const Flight& flight : sorted) {
+    const std::int32_t first = std::max(flight.take_off, tidy.empty() ? 0 : tidy.back().landing);
+    const std::int32_t last = std::min(flight.landing, frames - 1);
+    if (last > first + 1) tidy.push_back({first, last});
+  }
+  return tidy;
 }
 
 template <class S>

@@ -13,11 +13,20 @@
 
 namespace rigless {
 
-// N examples as views. Joints are body-local metres, controls mesh-local. A joint that an example does not know is NaN.
+// N examples as views. Joints are body-local metres, controls mesh-local. What an example does not know is NaN.
 template <class S>
 struct Examples {
   Span<const Vec3<S>> joints;    // N x J
   Span<const Vec3<S>> controls;  // N x C
+};
+
+// Examples that own their positions.
+template <class S>
+struct ExampleStorage {
+  std::vector<Vec3<S>> joints;    // N x J
+  std::vector<Vec3<S>> controls;  // N x C
+
+  Examples<S> view() const { return {joints, controls}; }
 };
 
 // The joints that `pairs` (C joint indices below joint_count, or -1) names, without repeats, in order of the controls;

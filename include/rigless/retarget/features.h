@@ -71,8 +71,8 @@ class PoseFeatures {
   std::vector<Vec3<S>> clip_, examples_;  // T x P, N x P
 };
 
-// One centre per control and one spread for all controls of a mesh, over N x C positions. Examples that do not differ
-// get the spread 1. Allocates.
+// One centre per control and one spread for all controls of a mesh, over the N x C positions that are known. Examples
+// that do not differ get the spread 1. Allocates.
 template <class S>
 struct ControlSpace {
   std::vector<Vec3<S>> centre;  // C
@@ -80,14 +80,21 @@ struct ControlSpace {
 
   static ControlSpace of(Span<const Vec3<S>> controls, std::size_t control_count) {
     ControlSpace space;
-    const std::size_t examples = controls.size() / control_count;
     space.centre.assign(control_count, Vec3<S>::Zero());
-    for (std::size_t i = 0; i < controls.size(); ++i) space.centre[i % control_count] += controls[i];
-    for (Vec3<S>& c : space.centre) c /= static_cast<S>(examples);
-    S sum = 0;
-    for (std::size_t i = 0; i < controls.size(); ++i)
+    std::vector<S> known(control_count, 0);
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      if (!controls[i].allFinite()) continue;
+      space.centre[i % control_count] += controls[i];
+      known[i % control_count] += S(1);
+    }
+    for (std::size_t c = 0; c < control_count; ++c) space.centre[c] /= std::max(known[c], S(1));
+    S sum = 0, count = 0;
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      if (!controls[i].allFinite()) continue;
       sum += (controls[i] - space.centre[i % control_count]).squaredNorm();
-    const S rms = std::sqrt(sum / static_cast<S>(controls.size()));
+      count += S(1);
+    }
+    const S rms = std::sqrt(sum / std::max(count, S(1)));
     if (rms > S(1e-9)) space.spread = rms;
     return space;
   }

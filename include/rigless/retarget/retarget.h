@@ -1,6 +1,7 @@
 // Human motion in, control tracks out.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -62,9 +63,10 @@ class Retargeter {
   Retargeter& operator=(const Retargeter&) = delete;
   Retargeter& operator=(Retargeter&&) = default;
 
-  // Copies what it needs. Allocates. Errors: no_frames; no_controls; no_examples; size_mismatch; index_out_of_range
-  // (a pair or constraint; where: control or constraint); not_finite (a joint of the clip, where: frame; a control of
-  // an example, where: example). On failure the previous run is kept.
+  // Copies what it needs. Allocates. Errors: no_frames; no_controls; no_examples (none knows a control; where:
+  // control); size_mismatch; index_out_of_range (a pair or constraint; where: control or constraint); not_finite (a
+  // joint of the clip, where: frame; an infinite control of an example, where: example). On failure the previous run is
+  // kept.
   Status begin(const RetargetInput<S>& input, const RetargetOptions<S>& options) {
     const Status status = check(input);
     if (!status.ok()) return status;
@@ -87,8 +89,8 @@ class Retargeter {
     std::vector<TrackInput<double>> tracks;
     for (std::size_t c = 0; c < controls; ++c) {
       poses.features(input.pairs[c], static_cast<double>(options.pose_weight), next.clip[c], next.examples[c]);
-      for (std::size_t i = c; i < example_controls.size(); i += controls)
-        next.controls[c].push_back(next.space.in(example_controls[i], c));
+      keep_known(example_controls, c, next);
+      if (next.controls[c].empty()) return {Error::no_examples, static_cast<std::int32_t>(c)};
       tracks.push_back({next.clip[c], next.examples[c], next.controls[c]});
     }
     const Status begun =
@@ -122,6 +124,29 @@ class Retargeter {
   double residual(std::size_t constraint) const { return solver_.residuals()[constraint] * inputs_.space.spread; }
 
  private:
+  // The solver looks at these arrays until it is done; moving the vectors does not move what they hold.
+  struct Inputs {
+    ControlSpace<double> space;
+    std::vector<std::vector<double>> clip, examples;  // C x (T x D), C x (N x D)
+    std::vector<std::vector<Vec3<double>>> controls;  // C x N
+  };
+
+  // The examples that know control c: their places, and their rows of the features.
+  static void keep_known(Span<const Vec3<double>> places, std::size_t c, Inputs& inputs) {
+    const std::size_t controls = inputs.controls.size(), count = places.size() / controls;
+    std::vector<double>& features = inputs.examples[c];
+    const std::size_t dimension = features.size() / count;
+    auto end = features.begin();
+    for (std::size_t n = 0; n < count; ++n) {
+      const Vec3<double>& place = places[n * controls + c];
+      if (!place.allFinite()) continue;
+      inputs.controls[c].push_back(inputs.space.in(place, c));
+      const auto row = features.begin() + static_cast<std::ptrdiff_t>(n * dimension);
+      end = std::copy(row, row + static_cast<std::ptrdiff_t>(dimension), end);
+    }
+    features.erase(end, features.end());
+  }
+
   static std::vector<Vec3<double>> widen(Span<const Vec3<S>> points) {
     std::vector<Vec3<double>> out;
     out.reserve(points.size());
@@ -145,7 +170,8 @@ class Retargeter {
     for (std::size_t i = 0; i < in.joints.size(); ++i)
       if (!in.joints[i].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(i / joints)};
     for (std::size_t i = 0; i < in.examples.controls.size(); ++i)
-      if (!in.examples.controls[i].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(i / controls)};
+      if (in.examples.controls[i].array().isInf().any())
+        return {Error::not_finite, static_cast<std::int32_t>(i / controls)};
     return {};
   }
 
@@ -183,12 +209,6 @@ class Retargeter {
     return out;
   }
 
-  // The solver looks at these arrays until it is done; moving the vectors does not move what they hold.
-  struct Inputs {
-    ControlSpace<double> space;
-    std::vector<std::vector<double>> clip, examples;  // C x (T x D), C x (N x D)
-    std::vector<std::vector<Vec3<double>>> controls;  // C x N
-  };
   Inputs inputs_;
   std::size_t frames_ = 0;
   SpacetimeSolver<double> solver_;

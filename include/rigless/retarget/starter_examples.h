@@ -23,15 +23,6 @@ struct StarterOptions {
   S nearest = S(0.7);
 };
 
-// Examples that own their positions.
-template <class S>
-struct ExampleStorage {
-  std::vector<Vec3<S>> joints;    // N x J
-  std::vector<Vec3<S>> controls;  // N x C
-
-  Examples<S> view() const { return {joints, controls}; }
-};
-
 // The pose about which a clip moves: each joint's median, axis by axis. A person who stands and jumps once stands.
 // clip: T x J; J positions. Allocates.
 template <class S>
@@ -50,6 +41,15 @@ std::vector<Vec3<S>> median_pose(Span<const Vec3<S>> clip, std::int32_t joint_co
     }
   }
   return pose;
+}
+
+// How tall a clip's figure is in its median pose. clip: T x J. Allocates.
+template <class S>
+S figure_height(Span<const Vec3<S>> clip, std::int32_t joint_count) {
+  const std::vector<Vec3<S>> median = median_pose(clip, joint_count);
+  const auto lower = [](const Vec3<S>& a, const Vec3<S>& b) { return a.y() < b.y(); };
+  const auto ends = std::minmax_element(median.begin(), median.end(), lower);
+  return median.empty() ? S(0) : ends.second->y() - ends.first->y();
 }
 
 // Appends starters to the examples of the user: at key poses of the clip, each control is as far from its rest position
@@ -72,9 +72,7 @@ Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<con
   if (users >= static_cast<std::size_t>(std::max(options.enough, 0))) return {};
 
   const std::vector<Vec3<S>> median = median_pose(clip, joint_count);
-  const auto lower = [](const Vec3<S>& a, const Vec3<S>& b) { return a.y() < b.y(); };
-  const auto ends = std::minmax_element(median.begin(), median.end(), lower);
-  const S human = ends.second->y() - ends.first->y();
+  const S human = figure_height(clip, joint_count);
   const S scale = human > S(1e-6) ? height / human : S(1);
 
   const std::vector<std::int32_t> paired = paired_joints(pairs, joint_count);

@@ -6,6 +6,7 @@
 
 #include "rigless/math/types.h"
 #include "rigless/motion/contacts.h"
+#include "rigless/retarget/coverage.h"
 #include "rigless/retarget/slip.h"
 
 namespace rigless {
@@ -23,6 +24,13 @@ struct Performance {
   std::vector<std::array<S, 2>> travel;  // T, x and z of the body's origin
   Slip<S> slip_before, slip_after;       // metres per second, without and with the foot lock
 
+  std::vector<std::uint8_t> source_contacts;  // T x C, before the user's own contacts
+  std::vector<S> missed;                      // how far each constraint is missed, metres
+  std::vector<S> coverage;                    // T, how far a frame is from what the user's examples teach, pose spreads
+  std::vector<Ask> asks;                      // frames worth teaching next, best first
+  std::int32_t have = 0, want = 0;            // user's examples, images counted, and how many would be enough
+  std::int32_t starters = 0;                  // examples made up by the system that are in use
+
   std::size_t control_count() const { return frames > 0 ? controls.size() / static_cast<std::size_t>(frames) : 0; }
 };
 
@@ -37,6 +45,13 @@ Performance<T> performance_cast(const Performance<S>& from) {
   to.flights = from.flights;
   for (const S yaw : from.yaw) to.yaw.push_back(number(yaw));
   for (const auto& at : from.travel) to.travel.push_back({number(at[0]), number(at[1])});
+  to.source_contacts = from.source_contacts;
+  for (const S miss : from.missed) to.missed.push_back(number(miss));
+  for (const S far : from.coverage) to.coverage.push_back(number(far));
+  to.asks = from.asks;
+  to.have = from.have;
+  to.want = from.want;
+  to.starters = from.starters;
   to.slip_before = {number(from.slip_before.mean), number(from.slip_before.maximum)};
   to.slip_after = {number(from.slip_after.mean), number(from.slip_after.maximum)};
   return to;

@@ -1,7 +1,9 @@
 // From a motion and examples to a performance.
 #pragma once
 
+#include "rigless/motion/mirror_joints.h"
 #include "rigless/retarget/foot_lock.h"
+#include "rigless/retarget/mirror_examples.h"
 #include "rigless/retarget/retarget.h"
 #include "rigless/retarget/root_motion.h"
 #include "rigless/retarget/starter_examples.h"
@@ -26,6 +28,11 @@ struct PerformanceInput {
   S height = 1;                    // of the mesh at rest
   Examples<S> examples;            // the user's; while they are few, starters are added
   PerformanceSettings<S> settings;
+  Constraints<S> constraints;                   // of controls, body-local stage metres (per frame)
+  Span<const ContactEdit> contacts;             // the user's own, of the controls that they name
+  const Span<const Flight>* flights = nullptr;  // the user's own; null: those of the motion
+  Span<const std::int32_t> mirror;              // C: partner, itself on the plane, -1: none. Empty: no mirror images
+  Vec3<S> mirror_normal = Vec3<S>::UnitX();     // of the mesh's plane
 };
 
 // begin(), then advance() until it returns false, then finish().
@@ -33,15 +40,22 @@ template <class S>
 class PerformanceBuilder {
  public:
   // Copies what it needs but the motion, which must live until finish(). Allocates. Errors: no_frames, no_controls,
-  // size_mismatch, index_out_of_range (where: control), not_finite (where: example).
+  // size_mismatch, index_out_of_range (where: control or constraint), not_finite (where: example or constraint).
   Status begin(const PerformanceInput<S>& input) {
     const StagedMotion<S>& motion = *input.motion;
     const std::int32_t joints = motion.clip.joints();
-    if (input.pairs.empty()) return {Error::no_controls, -1};
-    if (input.rest.size() != input.pairs.size()) return {Error::size_mismatch, -1};
+    if (const Status status = check(input); !status.ok()) return status;
     ExampleStorage<S> examples;
     examples.joints.assign(input.examples.joints.begin(), input.examples.joints.end());
     examples.controls.assign(input.examples.controls.begin(), input.examples.controls.end());
+    const std::vector<std::int32_t> paired = paired_joints(input.pairs, joints);
+    fill_unknown_joints<S>(motion.local, paired, joints, examples.joints);
+    std::vector<std::int32_t> joint_mirror;
+    if (!input.mirror.empty()) {
+      joint_mirror = mirror_joints(motion.clip.skeleton, motion.roles);
+      add_mirror_images<S>({joint_mirror, input.mirror, input.mirror_normal.normalized()}, input.rest, examples);
+    }
+    const std::size_t taught = examples.joints.size();
     const Status started = add_starters<S>(motion.local, joints, input.pairs, input.rest, input.height, {}, examples);
     if (!started.ok()) return started;
 
@@ -50,19 +64,24 @@ class PerformanceBuilder {
     retarget.joint_count = joints;
     retarget.pairs = input.pairs;
     retarget.examples = examples.view();
+    retarget.constraints = input.constraints;
     RetargetOptions<S> options;
     options.fps = static_cast<S>(performance_fps);
     options.smoothness = input.settings.smoothness;
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
     motion_ = &motion;
     settings_ = input.settings;
-    standing_ = standing_controls(motion, input.pairs, input.rest, input.floor, input.height);
+    constraints_ = input.constraints;
     controls_ = input.pairs.size();
+    travel_scale_ = input.height / std::max(figure_height<S>(motion.local, joints), S(1e-6));
+    starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / static_cast<std::size_t>(joints));
+    begin_contacts(input);
+    coverage_.begin(motion.local, joints, paired, {examples.joints.data(), taught}, joint_mirror, {});
     return {};
   }
 
   // Works on for about `budget` frames of one control. Returns true while work is left.
-  bool advance(std::int32_t budget) { return retargeter_.advance(budget); }
+  bool advance(std::int32_t budget) { return retargeter_.advance(budget) || coverage_.advance(budget); }
   double progress() const { return retargeter_.progress(); }
 
   // Allocates. Errors: factorization_failed (where: frame). On failure `out` keeps what it had.
@@ -70,21 +89,89 @@ class PerformanceBuilder {
     Performance<S> p;
     if (const Status status = retargeter_.finish(p.controls); !status.ok()) return status;
     p.frames = motion_->clip.frames;
-    p.flights = motion_->flights;
+    p.flights = flights_;
     p.yaw = motion_->yaw;
-    p.contacts.assign(p.controls.size(), 0);
-    const std::size_t feet = standing_.control.size();
-    for (std::size_t i = 0; i < standing_.labels.size(); ++i)
-      p.contacts[track_index(i / feet, i % feet)] = standing_.labels[i];
+    p.contacts = labels_of_all(standing_, p.controls.size());
+    p.source_contacts = labels_of_all(source_, p.controls.size());
     if (const Status status = stand(p); !status.ok()) return status;
     if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
+    measure_constraints(p);
+    p.coverage.assign(coverage_.coverage().begin(), coverage_.coverage().end());
+    p.asks = coverage_.asks();
+    p.have = coverage_.have();
+    p.want = coverage_.want();
+    p.starters = starters_;
     out = std::move(p);
     return {};
   }
 
  private:
+  static Status check(const PerformanceInput<S>& in) {
+    const auto controls = static_cast<std::int32_t>(in.pairs.size());
+    if (controls == 0) return {Error::no_controls, -1};
+    if (in.rest.size() != in.pairs.size()) return {Error::size_mismatch, -1};
+    if (!in.mirror.empty() && in.mirror.size() != in.pairs.size()) return {Error::size_mismatch, -1};
+    const std::size_t examples = in.examples.controls.size() / in.pairs.size();
+    if (in.examples.controls.size() != examples * in.pairs.size() ||
+        in.examples.joints.size() != examples * static_cast<std::size_t>(in.motion->clip.joints()))
+      return {Error::size_mismatch, -1};
+    for (std::int32_t c = 0; c < controls; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (in.pairs[i] < -1 || in.pairs[i] >= in.motion->clip.joints()) return {Error::index_out_of_range, c};
+      if (!in.mirror.empty() && (in.mirror[i] < -1 || in.mirror[i] >= controls)) return {Error::index_out_of_range, c};
+    }
+    for (const ContactEdit& edit : in.contacts)
+      if (edit.control < 0 || edit.control >= controls) return {Error::index_out_of_range, edit.control};
+    for (std::size_t i = 0; i < in.examples.controls.size(); ++i)
+      if (!in.examples.controls[i].allFinite())
+        return {Error::not_finite, static_cast<std::int32_t>(i / in.pairs.size())};
+    return {};
+  }
+
+  // Who stands when, with what the user said about it. In a flight nothing stands but what the user says.
+  void begin_contacts(const PerformanceInput<S>& input) {
+    const std::int32_t frames = motion_->clip.frames;
+    source_ = standing_ = standing_controls(*motion_, input.pairs, input.rest, input.floor, input.height);
+    flights_ = motion_->flights;
+    if (input.flights != nullptr) {
+      flights_ = tidy_flights(*input.flights, frames);
+      const std::size_t feet = standing_.control.size();
+      for (const Flight& flight : flights_) {
+        const auto in_air = [&](std::int32_t f) {
+          return standing_.labels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(f) * feet);
+        };
+        std::fill(in_air(flight.take_off + 1), in_air(flight.landing), std::uint8_t{0});
+      }
+    }
+    edit_standing<S>(input.contacts, input.rest, input.floor, frames, standing_);
+  }
+
   std::size_t track_index(std::size_t frame, std::size_t foot) const {
     return frame * controls_ + static_cast<std::size_t>(standing_.control[foot]);
+  }
+
+  std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing, std::size_t size) const {
+    std::vector<std::uint8_t> labels(size, 0);
+    const std::size_t feet = standing.control.size();
+    for (std::size_t i = 0; i < standing.labels.size(); ++i)
+      labels[i / feet * controls_ + static_cast<std::size_t>(standing.control[i % feet])] = standing.labels[i];
+    return labels;
+  }
+
+  // The coordinates of standing controls that constraints hold, as bits: T x K, or empty.
+  std::vector<std::uint8_t> pins() const {
+    const std::size_t feet = standing_.control.size();
+    std::vector<std::uint8_t> pins(constraints_.size() > 0 ? standing_.labels.size() : 0, 0);
+    const auto pin = [&](std::int32_t control, std::int32_t frame, const AxisMask& axes) {
+      for (std::size_t k = 0; k < feet; ++k) {
+        if (standing_.control[k] != control) continue;
+        for (int axis = 0; axis < 3; ++axis)
+          if (axes[static_cast<std::size_t>(axis)])
+            pins[static_cast<std::size_t>(frame) * feet + k] |= static_cast<std::uint8_t>(1 << axis);
+      }
+    };
+    for (const auto& c : constraints_.positions) pin(c.track, c.frame, c.axes);
+    return pins;
   }
 
   // The tracks of the standing controls go into the world, get the root motion that keeps them where they stand and are
@@ -93,9 +180,10 @@ class PerformanceBuilder {
   Status stand(Performance<S>& p) const {
     const auto frames = static_cast<std::size_t>(p.frames);
     const std::size_t feet = standing_.control.size();
-    std::vector<Vec3<S>> world;
+    std::vector<Vec3<S>> world, way;
     world.reserve(frames * feet);
     for (std::size_t f = 0; f < frames; ++f) {
+      way.push_back(motion_->clip.at(static_cast<std::int32_t>(f), 0));
       for (std::size_t k = 0; k < feet; ++k) {
         world.push_back(from_body<S>(p.controls[track_index(f, k)], Vec3<S>::Zero(), p.yaw[f]));
       }
@@ -103,7 +191,8 @@ class PerformanceBuilder {
     RootMotionOptions<S> moving;
     moving.fps = static_cast<S>(performance_fps);
     std::vector<Vec3<S>> root;
-    Status status = root_from_contacts<S>(world, standing_.labels, standing_.ground, moving, root);
+    Status status =
+        root_from_contacts<S>(world, standing_.labels, standing_.ground, {way, travel_scale_}, moving, root);
     if (!status.ok()) return status;
     for (std::size_t i = 0; i < world.size(); ++i) world[i] += root[i / feet];
     for (const Vec3<S>& r : root) p.travel.push_back({r.x(), r.z()});
@@ -115,7 +204,7 @@ class PerformanceBuilder {
     if (!settings_.ground_contact) return {};
     FootLockOptions<S> holding;
     holding.fps = moving.fps;
-    status = lock_feet<S>(world, standing_.labels, standing_.ground, holding);
+    status = lock_feet<S>(world, standing_.labels, pins(), standing_.ground, holding);
     if (!status.ok()) return status;
     p.slip_after = slip();
     for (std::size_t i = 0; i < world.size(); ++i) {
@@ -125,10 +214,32 @@ class PerformanceBuilder {
     return {};
   }
 
+  // On the finished tracks, so that what the ground asks for counts too.
+  void measure_constraints(Performance<S>& p) const {
+    const auto at = [&](std::int32_t control, std::int32_t frame) {
+      return p.controls[static_cast<std::size_t>(frame) * controls_ + static_cast<std::size_t>(control)];
+    };
+    const auto miss = [&](Vec3<S> difference, const AxisMask& axes) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (!axes[static_cast<std::size_t>(axis)]) difference[axis] = 0;
+      p.missed.push_back(difference.norm());
+    };
+    for (const auto& c : constraints_.positions) miss(at(c.track, c.frame) - c.position, c.axes);
+    for (const auto& c : constraints_.velocities)
+      miss(at(c.track, c.frame) - at(c.track, c.frame - 1) - c.velocity, c.axes);
+    for (const auto& c : constraints_.heights)
+      p.missed.push_back(std::abs(at(c.track, c.frame).y() - at(c.other, c.frame).y() - c.difference));
+  }
+
   Retargeter<S> retargeter_;
+  PoseCoverage coverage_;
   const StagedMotion<S>* motion_ = nullptr;
   PerformanceSettings<S> settings_;
-  StandingControls<S> standing_;
+  Constraints<S> constraints_;
+  StandingControls<S> source_, standing_;  // as in the motion, and with what the user said
+  std::vector<Flight> flights_;
+  S travel_scale_ = 1;
+  std::int32_t starters_ = 0;
   std::size_t controls_ = 0;
 };
 

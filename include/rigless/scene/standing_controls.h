@@ -16,6 +16,13 @@ struct StandingControls {
   std::vector<S> ground;              // K, rest height above the lowest vertex
 };
 
+// A run in which the user lets a control stand. A control that is named at all stands in its own runs only; an empty
+// run just names it.
+struct ContactEdit {
+  std::int32_t control = 0;
+  FrameRun run = {0, 0};
+};
+
 // Whether `joint` is the ankle of a limb or hangs on it.
 inline bool belongs_to_foot(const Skeleton& skeleton, const LimbRoles& limb, std::int32_t joint) {
   if (limb.ankle < 0) return false;
@@ -58,6 +65,38 @@ StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const 
     }
   }
   return standing;
+}
+
+// The same with the user's runs instead of those of the controls that they name, which must exist; runs are cut to the
+// clip. rest: C; floor: y of the lowest vertex at rest. Allocates.
+template <class S>
+void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S floor, std::int32_t frames,
+                   StandingControls<S>& standing) {
+  const auto count = static_cast<std::size_t>(frames);
+  StandingControls<S> edited = standing;
+  const auto named = [&](std::int32_t c) {
+    return std::any_of(edits.begin(), edits.end(), [c](const ContactEdit& e) { return e.control == c; });
+  };
+  const auto known = [&](std::int32_t c) {
+    return std::find(edited.control.begin(), edited.control.end(), c) != edited.control.end();
+  };
+  for (const ContactEdit& edit : edits) {
+    if (known(edit.control)) continue;
+    edited.control.push_back(edit.control);
+    edited.ground.push_back(rest[static_cast<std::size_t>(edit.control)].y() - floor);
+  }
+  const std::size_t before = standing.control.size(), after = edited.control.size();
+  edited.labels.assign(count * after, 0);
+  for (std::size_t k = 0; k < after; ++k) {
+    if (!named(edited.control[k]))
+      for (std::size_t f = 0; f < count; ++f) edited.labels[f * after + k] = standing.labels[f * before + k];
+    for (const ContactEdit& edit : edits) {
+      if (edit.control != edited.control[k]) continue;
+      for (std::int32_t f = std::max(edit.run.begin, 0); f < std::min(edit.run.end, frames); ++f)
+        edited.labels[static_cast<std::size_t>(f) * after + k] = 1;
+    }
+  }
+  standing = std::move(edited);
 }
 
 }  // namespace rigless

@@ -6,13 +6,13 @@ import type { Subject } from "./messages";
 import type { DragInput } from "./protocol";
 import { EngineError } from "./types";
 import type {
-  ControlInput, Frame, Joint, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
+  ConstraintInput, ControlInput, Frame, Joint, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
 } from "./types";
 import type { Handle, PackedStatus, RiglessExports } from "./wasm";
 
 type Lendable = Float32Array | Int32Array | Uint32Array | Uint8Array;
 
-const OUT_DOUBLES = 10;
+const OUT_DOUBLES = 16;
 
 export class Core {
   #wasm: RiglessExports;
@@ -116,7 +116,7 @@ export class Core {
         this.#check(this.#wasm.performance_advance(performance), { kind: "retarget" });
       }
       this.#beginBake(performance, input.volume);
-      return this.#describePerformance(performance, milliseconds + now() - begin);
+      return this.#describePerformance(performance, input.constraints ?? [], milliseconds + now() - begin);
     } finally {
       this.#wasm.performance_delete(performance);
     }
@@ -156,6 +156,7 @@ export class Core {
       throw new EngineError(
         "bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
     }
+    this.#ask(performance, input);
     const exampleJoints = joined(examples.map((example) => example.joints));
     const exampleControls = joined(examples.map((example) => example.controls));
     this.#lend([pairs, exampleJoints, exampleControls], ([pairsAt = 0, jointsAt = 0, controlsAt = 0]) => {
@@ -166,6 +167,39 @@ export class Core {
           input.smoothness, Number(input.groundContact), Number(input.inPlace)),
         { kind: "retarget" });
     });
+  }
+
+  /** Tells what the user asks of a performance beside its examples. */
+  #ask(performance: Handle, input: RetargetInput): void {
+    const wasm = this.#wasm;
+    wasm.motion_info(this.#motion, this.#out);
+    const [frames = 0] = this.#doubles(1);
+    const { constraints = [], contacts = [], flights = null, mirror = null, mirrorPlane = null } = input;
+    const isControl = (control: number) => Number.isInteger(control) && control >= 0 && control < this.#controls;
+    constraints.forEach((wish, n) => {
+      const { kind, control, frame } = wish;
+      const numbers = kind === "position" ? wish.value : [];
+      if (!isControl(control) || frame < (kind === "still" ? 1 : 0) || frame >= frames || !numbers.every(Number.isFinite)) {
+        throw new EngineError("bad_examples", `Wish ${n + 1} is for a point, a frame or a place that does not exist. Remove it.`);
+      }
+      if (kind === "still") wasm.performance_still(performance, control, frame);
+      else {
+        const axes = (wish.axes ?? [true, true, true]).reduce((bits, on, axis) => bits | (Number(on) << axis), 0);
+        wasm.performance_place(performance, control, frame, axes, ...wish.value);
+      }
+    });
+    for (const { control, runs } of contacts) {
+      if (!isControl(control)) throw new EngineError("bad_controls", "A contact is said of a point that the model does not have.");
+      wasm.performance_stand(performance, control, 0, 0);
+      for (const [begin, end] of runs) wasm.performance_stand(performance, control, begin, end);
+    }
+    if (flights) {
+      this.#lend([Int32Array.from(flights.flat())], ([at = 0]) => wasm.performance_fly(performance, at, flights.length));
+    }
+    if (mirror) {
+      if (mirror.length !== this.#controls) throw new EngineError("bad_controls", "Every control of the model needs one partner in the mirror.");
+      this.#lend([mirror], ([at = 0]) => wasm.performance_mirror(performance, at, mirror.length, ...(mirrorPlane?.normal ?? [1, 0, 0])));
+    }
   }
 
   #beginBake(performance: Handle, volume: number): void {
@@ -201,13 +235,16 @@ export class Core {
     };
   }
 
-  #describePerformance(performance: Handle, milliseconds: number): Performance {
+  #describePerformance(performance: Handle, constraints: ConstraintInput[], milliseconds: number): Performance {
     const wasm = this.#wasm;
     wasm.performance_info(performance, this.#out);
-    const [frames = 0, controls = 0, flightCount = 0, before = 0, after = 0] = this.#doubles(5);
+    const [frames = 0, controls = 0, flightCount = 0, before = 0, after = 0, wishes = 0, asks = 0, have = 0, want = 0,
+      starters = 0] = this.#doubles(10);
     const flightsAt = wasm.performance_flights(performance);
     const ends = new Int32Array(wasm.memory.buffer, flightsAt, 2 * flightCount).slice();
     const flights = Array.from({ length: flightCount }, (_, i): [number, number] => [ends[2 * i] ?? 0, ends[2 * i + 1] ?? 0]);
+    wasm.performance_asks(performance, this.#out);
+    const asked = this.#doubles(2 * asks);
     return {
       frames,
       controls: this.#floats(wasm.performance_controls(performance), 3 * frames * controls),
@@ -216,8 +253,22 @@ export class Core {
       yaw: this.#floats(wasm.performance_yaw(performance), frames),
       travel: this.#floats(wasm.performance_travel(performance), 2 * frames),
       slip: { before, after },
+      missed: { worst: this.#missed(performance, wishes, constraints) },
+      coverage: this.#floats(wasm.performance_coverage(performance), frames),
+      ask: Array.from({ length: asks }, (_, i) => ({ frame: asked[2 * i] ?? 0, gain: asked[2 * i + 1] ?? 0 })),
+      enough: { have, want },
+      starters,
+      sourceContacts: new Uint8Array(wasm.memory.buffer, wasm.performance_source_contacts(performance), frames * controls).slice(),
       milliseconds,
     };
+  }
+
+  /** The core counts places first, then those that are still. */
+  #missed(performance: Handle, count: number, constraints: ConstraintInput[]): Float32Array {
+    const worst = this.#floats(this.#wasm.performance_missed(performance), count);
+    let place = 0;
+    let still = constraints.filter(({ kind }) => kind === "position").length;
+    return Float32Array.from(constraints, ({ kind }) => worst[kind === "position" ? place++ : still++] ?? 0);
   }
 
   #needControls(): void {

@@ -62,6 +62,22 @@ export interface ExampleInput {
   controls: Float32Array;
 }
 
+/** A wish about one control at one frame (body-local stage metres). */
+export type ConstraintInput =
+  /** It is there, on the axes that are true; all three if none are given. */
+  | { kind: "position"; control: number; frame: number; value: [number, number, number]; axes?: [boolean, boolean, boolean] }
+  /** It is in the same place as in the frame before (velocity 0); not for frame 0. */
+  | { kind: "still"; control: number; frame: number };
+
+/**
+ * Where a control stands, said by the user instead of taken from the motion: half-open runs of frames, which replace that
+ * control's own. Without runs it never stands.
+ */
+export interface ContactInput {
+  control: number;
+  runs: [number, number][];
+}
+
 export interface RetargetInput {
   /** C: joint index that drives each control, or -1 (it follows the whole pose). */
   pairs: Int32Array;
@@ -72,6 +88,16 @@ export interface RetargetInput {
   volume: number;
   groundContact: boolean;
   inPlace: boolean;
+  /** Wishes about single controls at single frames; default none. Repeated or contradicting ones meet half way: see `missed`. */
+  constraints?: ConstraintInput[];
+  /** Only the controls whose contacts were edited; default none. */
+  contacts?: ContactInput[];
+  /** Supported-to-supported frame pairs [a, b]; null (default): from the motion. */
+  flights?: [number, number][] | null;
+  /** C: each control's partner (itself on the plane, -1: none): examples are doubled by their mirror images; null (default): off. */
+  mirror?: Int32Array | null;
+  /** The mesh's plane of symmetry, stage; null (default): x = 0. Only its direction counts: controls mirror how they move from rest. */
+  mirrorPlane?: { point: [number, number, number]; normal: [number, number, number] } | null;
 }
 
 /** How the model's points move; vertices follow by frame(). */
@@ -89,6 +115,21 @@ export interface Performance {
   travel: Float32Array;
   /** Mean horizontal speed of standing controls, metres per second, before and after the foot lock. */
   slip: { before: number; after: number };
+  /** Metres by which each constraint is missed, in the order of the input; 0 where it holds. */
+  missed: { worst: Float32Array };
+  /**
+   * T, how far each frame is from what the user's poses (not the starters) teach: 0 taught, about 1 as far as a random frame is
+   * from the mean pose. With no pose at all, the distance from a random frame (1.4 on average).
+   */
+  coverage: Float32Array;
+  /** Frames worth teaching next, best first (at most 8), given the poses there are; gain: by how much the mean coverage (rms) falls. */
+  ask: { frame: number; gain: number }[];
+  /** The user's poses (mirror images counted) and how many would bring the rms of the coverage below .15; never less than `have`. */
+  enough: { have: number; want: number };
+  /** Synthesised poses still in use beside the user's. */
+  starters: number;
+  /** T x C, contacts before edits; `contacts` and `flights` are those after. */
+  sourceContacts: Uint8Array;
   milliseconds: number;
 }
 

@@ -49,6 +49,13 @@ export interface RiglessExports {
 
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
+  performance_place(
+    performance: Handle, control: number, frame: number, axes: number, x: number, y: number, z: number,
+  ): void;
+  performance_still(performance: Handle, control: number, frame: number): void;
+  performance_stand(performance: Handle, control: number, begin: number, end: number): void;
+  performance_fly(performance: Handle, flights: Pointer, count: number): void;
+  performance_mirror(performance: Handle, partners: Pointer, controls: number, x: number, y: number, z: number): void;
   performance_begin(
     performance: Handle, motion: Handle, pairs: Pointer, rest: Pointer, controls: number, floor: number, height: number,
     exampleJoints: Pointer, exampleControls: Pointer, examples: number,
@@ -62,6 +69,10 @@ export interface RiglessExports {
   performance_flights(performance: Handle): Pointer;
   performance_yaw(performance: Handle): Pointer;
   performance_travel(performance: Handle): Pointer;
+  performance_source_contacts(performance: Handle): Pointer;
+  performance_missed(performance: Handle): Pointer;
+  performance_coverage(performance: Handle): Pointer;
+  performance_asks(performance: Handle, out: Pointer): void;
 }
 
 export async function instantiate(bytes: ArrayBuffer): Promise<RiglessExports> {
