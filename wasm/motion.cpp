@@ -241,8 +241,8 @@ RIGLESS_EXPORT void performance_info(ObjectHandle performance, double* out) {
   out[9] = p.starters;
 }
 
-// T x C x 3; T x C; pairs of frames; T; T x 2; T x C; constraints (places, then those that are still); T; pairs of
-// frame and gain
+// T x C x 3; T x C; pairs of frames; T; T x 2; T x C; constraints (places, then those that are still), twice; T; pairs
+// of frame and gain
 RIGLESS_EXPORT const float* performance_controls(ObjectHandle performance) {
   return plays[performance].performance.controls.data()->data();
 }
@@ -263,6 +263,9 @@ RIGLESS_EXPORT const std::uint8_t* performance_source_contacts(ObjectHandle perf
 }
 RIGLESS_EXPORT const float* performance_missed(ObjectHandle performance) {
   return plays[performance].performance.missed.data();
+}
+RIGLESS_EXPORT const std::int32_t* performance_opponents(ObjectHandle performance) {
+  return plays[performance].performance.opponents.data();
 }
 RIGLESS_EXPORT const float* performance_coverage(ObjectHandle performance) {
   return plays[performance].performance.coverage.data();

@@ -327,6 +327,24 @@ TEST_CASE("retarget: repeated constraints change nothing, contradicting ones mee
   CHECK((tracks[20 * 5 + 1] - at(1.0)).norm() < 1e-5);
   CHECK(run.residual(0) == doctest::Approx(0.1).epsilon(1e-3));
   CHECK(run.residual(1) == doctest::Approx(0.1).epsilon(1e-3));
+  CHECK(run.opponents()[0] == 1);
+  CHECK(run.opponents()[1] == 0);
+
+  // A loop that does not close: 20 and 21 are apart, but the control shall not move between them. Others do not mind.
+  scene.constraints.positions.insert(scene.constraints.positions.begin(), {3, 30, at(1), {true, true, true}});
+  scene.constraints.positions[2].frame = 21;
+  scene.constraints.velocities.push_back({1, 21, Vec3<double>::Zero(), {true, true, true}});
+  REQUIRE(run.begin(scene.input(), scene.options).ok());
+  while (run.advance(1000)) {
+  }
+  REQUIRE(run.finish(tracks).ok());
+  CHECK(run.residual(0) < 1e-6);
+  CHECK(run.opponents()[0] == -1);
+  for (const std::size_t i : {1U, 2U, 3U}) {
+    CHECK(run.residual(i) == doctest::Approx(0.2 / 3).epsilon(1e-3));
+    CHECK(run.opponents()[i] >= 1);
+    CHECK(run.opponents()[i] != static_cast<std::int32_t>(i));
+  }
 
   // Without an offset track one example cannot move at all: the constraint is missed, and says so.
   auto stuck = scene_of<double>(30, 1);

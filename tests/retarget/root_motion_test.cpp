@@ -67,9 +67,9 @@ TEST_CASE("root motion: a treadmill gives its speed at any rate, soles stand on 
     rigless::RootMotionOptions<double> options;
     options.fps = fps;
     const std::vector<double> ground = {0.05, 0.2};
-    REQUIRE(
-        rigless::root_from_contacts<double>(tracks, std::vector<std::uint8_t>(tracks.size(), 1), ground, {}, options, root)
-            .ok());
+    REQUIRE(rigless::root_from_contacts<double>(tracks, std::vector<std::uint8_t>(tracks.size(), 1), ground, {},
+                                                options, root)
+                .ok());
     CHECK(root.back().z() - root.front().z() == doctest::Approx(1.5).epsilon(0.06));
     CHECK(root.back().y() == doctest::Approx(0.9));
   }
@@ -79,7 +79,8 @@ TEST_CASE("root motion: bad input is refused") {
   std::vector<Vec3<double>> tracks(4, Vec3<double>::Zero()), root(1, Vec3<double>::Ones());
   const std::vector<std::uint8_t> labels(3);
   const std::vector<double> ground(2);
-  CHECK(rigless::root_from_contacts<double>(tracks, labels, ground, {}, {}, root).error == rigless::Error::size_mismatch);
+  CHECK(rigless::root_from_contacts<double>(tracks, labels, ground, {}, {}, root).error ==
+        rigless::Error::size_mismatch);
   CHECK(rigless::root_from_contacts<double>(tracks, labels, {}, {}, {}, root).error == rigless::Error::no_controls);
   CHECK(root.size() == 1);
 }

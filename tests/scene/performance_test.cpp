@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rigless/retarget/mirror_examples.h"
 #include "rigless/scene/performance_builder.h"
 
 using namespace rigless;
@@ -133,6 +134,133 @@ TEST_CASE("both soles are level where both feet stand") {
   CHECK(both > 10);
 }
 
+TEST_CASE("in the air the body goes where the human goes, not on with its last step") {
+  // Hops on the spot, and hops forwards: .9 s on the ground, in which the body sways forwards, then .4 s in the air.
+  for (const double speed : {0.0, 1.0}) {
+    CAPTURE(speed);
+    Clip<double> clip = walk(480, 0);
+    for (std::int32_t f = 0; f < clip.frames; ++f) {
+      const double cycle = std::fmod(f / 120.0, 1.3), air = cycle - 0.9;
+      const double height = air > 0 ? 0.5 * 9.81 * air * (0.4 - air) : 0;
+      const double sway = air > 0 ? 0 : 0.08 * std::sin(2 * pi * cycle / 0.9 - pi / 2) + 0.08;
+      const double way = speed * (std::floor(f / 120.0 / 1.3) * 0.4 + std::max(air, 0.0));
+      for (std::int32_t j = 0; j < clip.joints(); ++j) {
+        Vec3d& p = clip.positions[static_cast<std::size_t>(f * clip.joints() + j)];
+        const Vec3d stance = clip.positions[static_cast<std::size_t>(j)];
+        const bool leg = j > 0 && j < 9;
+        p = {stance.x(), stance.y() + height, (leg ? 0 : stance.z() + sway) + way};
+      }
+    }
+    Stick stick;
+    REQUIRE(stage(clip, stick.motion).ok());
+    REQUIRE(stick.motion.flights.size() == 3);
+    Performance<double> performance;
+    REQUIRE(build_performance(stick.input(), performance).ok());
+    for (const Flight& flight : performance.flights) {
+      const double went = performance.travel[static_cast<std::size_t>(flight.landing)][1] -
+                          performance.travel[static_cast<std::size_t>(flight.take_off)][1];
+      CHECK(std::abs(went - 0.4 * speed) < 0.12);
+    }
+    CHECK(std::abs(performance.travel.back()[1] - 3 * 0.4 * speed) < 0.3);
+  }
+}
+
+TEST_CASE("a mirrored motion gives the mirrored performance") {
+  Stick stick;
+  stick.pairs = {4, 8, 9, -1, 11};  // toes, head, belly, one hand that has no partner on the model
+  stick.rest = {{0.11, 0.05, 0}, {-0.1, 0.02, 0.01}, {0, 1.6, 0}, {0, 1, 0}, {0.3, 1, 0}};
+  const std::vector<std::int32_t> partners = {1, 0, 2, 3, -1};
+  REQUIRE(stage(walk(240, 0.3), stick.motion).ok());
+  StagedMotion<double> twin = stick.motion;
+  const auto joints = mirror_joints(twin.clip.skeleton, twin.roles);
+  const auto mirror_all = [&](const std::vector<Vec3d>& from, std::vector<Vec3d>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const std::size_t j = i % joints.size();
+      const Vec3d& p = from[i - j + static_cast<std::size_t>(joints[j])];
+      to[i] = {-p.x(), p.y(), p.z()};
+    }
+  };
+  mirror_all(stick.motion.local, twin.local);
+  mirror_all(stick.motion.clip.positions, twin.clip.positions);
+  for (double& yaw : twin.yaw) yaw = -yaw;
+  std::swap(twin.left, twin.right);
+  for (const std::int32_t f : {5, 17, 40, 51}) {
+    const auto first = stick.motion.local.begin() + f * static_cast<std::ptrdiff_t>(joints.size());
+    stick.joints.insert(stick.joints.end(), first, first + static_cast<std::ptrdiff_t>(joints.size()));
+    for (std::size_t c = 0; c < 5; ++c)
+      stick.controls.push_back(stick.rest[c] + 0.2 * Vec3d(std::sin(f + 3.0 * static_cast<double>(c)),
+                                                           std::cos(2.0 * f), std::sin(1.0 * f)));
+  }
+  for (const bool locked : {false, true}) {
+    stick.settings.ground_contact = locked;
+    PerformanceInput<double> input = stick.input();
+    input.mirror = partners;
+    Performance<double> here, there;
+    REQUIRE(build_performance(input, here).ok());
+    input.motion = &twin;
+    REQUIRE(build_performance(input, there).ok());
+    // Resting feet are not quite each other's images, so what is locked to the ground is theirs alone.
+    const double tolerance = locked ? 0.1 : 1e-9;
+    double worst = 0;
+    for (std::size_t i = 0; i < here.controls.size(); ++i) {
+      const std::size_t c = i % 5;
+      if (partners[c] < 0) continue;
+      const auto other = static_cast<std::size_t>(partners[c]);
+      const Vec3d moved = reflected<double>(here.controls[i - c + other] - stick.rest[other], Vec3d::UnitX());
+      worst = std::max(worst, (there.controls[i] - stick.rest[c] - moved).norm());
+    }
+    CHECK(worst < tolerance);
+    CHECK(here.have == 8);
+    CHECK(here.starters == 0);
+  }
+}
+
+TEST_CASE("the user's contacts, flights and places count, and what is missed is said") {
+  Stick stick;
+  REQUIRE(stage(walk(480, 0), stick.motion).ok());
+  Performance<double> plain, edited;
+  REQUIRE(build_performance(stick.input(), plain).ok());
+  const auto stands = [](const Performance<double>& p, std::int32_t f, std::size_t c) {
+    return p.contacts[static_cast<std::size_t>(f) * 4 + c] != 0;
+  };
+  CHECK(plain.source_contacts == plain.contacts);
+
+  PerformanceInput<double> input = stick.input();
+  const std::vector<ContactEdit> contacts = {{0, {0, 0}}, {2, {-5, 30}}, {2, {100, 900}}};
+  const std::vector<Flight> list = {{60, 80}, {70, 75}, {-9, 3}};
+  const Span<const Flight> flights = list;
+  input.contacts = contacts;
+  input.flights = &flights;
+  REQUIRE(build_performance(input, edited).ok());
+  CHECK(edited.source_contacts == plain.contacts);
+  REQUIRE(edited.flights.size() == 2);
+  CHECK((edited.flights[0].take_off == 0 && edited.flights[1].landing == 80));
+  for (std::int32_t f = 0; f < edited.frames; ++f) {
+    CHECK_FALSE(stands(edited, f, 0));
+    CHECK(stands(edited, f, 2) == (f < 30 || f >= 100));
+    const bool flies = (f > 0 && f < 3) || (f > 60 && f < 80);
+    CHECK(stands(edited, f, 1) == (stands(plain, f, 1) && !flies));
+  }
+  CHECK(edited.slip_after.maximum < 1e-9);
+
+  // A place for a foot that stands moves where it stands; a free foot goes there; a hand that may not move does not.
+  std::int32_t standing = 40, swinging = 40;
+  while (!stands(plain, standing, 1) || !stands(plain, standing + 3, 1)) ++standing;
+  while (stands(plain, swinging, 0)) ++swinging;
+  input = stick.input();
+  const auto near = [&](std::int32_t f, std::size_t c) {
+    return (plain.controls[static_cast<std::size_t>(f) * 4 + c] + Vec3d(0.03, 0, 0.04)).eval();
+  };
+  input.constraints.positions.push_back({1, standing, near(standing, 1), {true, false, true}});
+  input.constraints.positions.push_back({0, swinging, near(swinging, 0), {true, true, true}});
+  input.constraints.velocities.push_back({2, 50, Vec3d::Zero(), {true, true, true}});
+  REQUIRE(build_performance(input, edited).ok());
+  REQUIRE(edited.missed.size() == 3);
+  for (const double missed : edited.missed) CHECK(missed < 1e-6);
+  for (const std::int32_t opponent : edited.opponents) CHECK(opponent == -1);
+  CHECK(edited.slip_after.maximum < 1e-9);
+}
+
 TEST_CASE("in place nothing travels, and all else stays") {
   Stick stick;
   REQUIRE(stage(walk(240, 0), stick.motion).ok());
@@ -186,6 +314,20 @@ TEST_CASE("what cannot be built leaves the old performance") {
   status = build_performance(stick.input(), performance);
   CHECK(status.error == Error::not_finite);
   CHECK(status.where == 0);
+  stick.joints = stick.controls = {};
+  PerformanceInput<double> input = stick.input();
+  input.mirror = {stick.pairs.data(), 3};
+  CHECK(build_performance(input, performance).error == Error::size_mismatch);
+  const std::vector<std::int32_t> partners = {0, 1, 2, 4};
+  input.mirror = partners;
+  CHECK(build_performance(input, performance).where == 3);
+  const std::vector<ContactEdit> contacts = {{4, {1, 2}}};
+  input = stick.input();
+  input.contacts = contacts;
+  CHECK(build_performance(input, performance).where == 4);
+  input = stick.input();
+  input.constraints.velocities.push_back({0, 0, Vec3d::Zero(), {true, true, true}});
+  CHECK(build_performance(input, performance).error == Error::index_out_of_range);
   stick.pairs.clear();
   CHECK(build_performance(stick.input(), performance).error == Error::no_controls);
   CHECK(performance.controls == before);

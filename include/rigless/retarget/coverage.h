@@ -25,7 +25,6 @@ struct CoverageOptions {
   double enough = 0.15;       // error at which the examples are enough, in pose spreads
   std::int32_t asks = 8;      // frames to ask for at most
   std::int32_t most = 24;     // examples at most until they are enough
-  std::int32_t spread = 4;    // so many examples are spread out; those after them are chosen by what they would mend
   std::int32_t samples = 96;  // frames that are weighed against each other at most, evenly spaced
 };
 
@@ -136,12 +135,6 @@ class PoseCoverage {
     return sum;
   }
 
-  double squared(const double* a, const double* b) const {
-    double sum = 0;
-    for (std::size_t d = 0; d < dimension_; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
-    return sum;
-  }
-
   // Squared error that sample s would have after one step from its mixture towards a pose.
   double after_step(std::size_t s, const double* pose) const {
     const double* j = sample(s);
@@ -172,7 +165,7 @@ class PoseCoverage {
       stage_ = Stage::done;
       return;
     }
-    const std::size_t s = count < options_.spread ? farthest() : most_mending();
+    const std::size_t s = known() > 0 ? most_mending() : nearest_to_mean();
     if (!asked) asks_.push_back({static_cast<std::int32_t>(s * stride_), 0});
     ++picks_;
     known_.insert(known_.end(), sample(s), sample(s) + dimension_);
@@ -180,20 +173,11 @@ class PoseCoverage {
     bind();
   }
 
-  // The sample nearest to the mean, or farthest from all examples.
-  std::size_t farthest() const {
-    std::size_t best = 0;
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < samples(); ++s) {
-      double nearest = known() > 0 ? std::numeric_limits<double>::infinity() : -errors_[s];
-      for (std::size_t m = 0; m < known(); ++m)
-        nearest = std::min(nearest, squared(sample(s), &known_[m * dimension_]));
-      if (nearest > most) best = s;
-      most = std::max(most, nearest);
-    }
-    return best;
+  std::size_t nearest_to_mean() const {
+    return static_cast<std::size_t>(std::min_element(errors_.begin(), errors_.end()) - errors_.begin());
   }
 
+  // The sample after which the error is least, as far as one step of each mixture tells.
   std::size_t most_mending() const {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();

@@ -119,9 +119,11 @@ class Retargeter {
     return {};
   }
 
-  // T x N weights of one control, and how far each constraint is missed, mesh-local units.
+  // T x N weights of one control; how far each constraint is missed, mesh-local units; which other one it contradicts,
+  // or -1.
   Span<const double> weights(std::int32_t control) const { return solver_.weights(control); }
   double residual(std::size_t constraint) const { return solver_.residuals()[constraint] * inputs_.space.spread; }
+  Span<const std::int32_t> opponents() const { return solver_.opponents(); }
 
  private:
   // The solver looks at these arrays until it is done; moving the vectors does not move what they hold.

@@ -113,10 +113,13 @@ class SpacetimeSolver {
   Span<const Vec3<S>> track(std::int32_t index) const { return solution_[static_cast<std::size_t>(index)]; }
   Span<const S> weights(std::int32_t index) const { return weights_[static_cast<std::size_t>(index)]; }
 
-  // How far each constraint is missed at worst, counted through positions, velocities, heights.
+  // How far each constraint is missed at worst, counted through positions, velocities, heights; and which other one
+  // stands most in its way, or -1: constraints that repeat each other do not.
   Span<const S> residuals() const { return residuals_; }
+  Span<const std::int32_t> opponents() const { return opponents_; }
 
  private:
+  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
   enum class Stage { frames, rows, tracks, done };
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -153,6 +156,7 @@ class SpacetimeSolver {
     const auto size = static_cast<Eigen::Index>(rows_.size());
     schur_ = Matrix::Zero(size, size);
     residuals_.assign(constraints, S(0));
+    opponents_.assign(constraints, -1);
     status_ = {};
     track_ = frame_ = row_ = 0;
     stage_ = tracks > 0 ? Stage::frames : Stage::done;
@@ -240,6 +244,28 @@ class SpacetimeSolver {
     lu_in_place(system, exchange.data());
     solve_lu(system, exchange.data(), excess);
     multipliers_ = excess;
+    find_opponents(system, exchange, give);
+  }
+
+  // What is missed, give * multipliers, lies in the null space of the Schur complement. The column of its projector,
+  // give (schur + give I)^-1, that belongs to a missed equation names those that depend on it.
+  void find_opponents(const Matrix& factors, const std::vector<std::int32_t>& exchange, S give) {
+    std::vector<S> worst(opponents_.size(), std::sqrt(std::numeric_limits<S>::epsilon()) * S(10));
+    for (Eigen::Index r = 0; r < multipliers_.size(); ++r) {
+      const std::int32_t own = rows_[static_cast<std::size_t>(r)].constraint;
+      const S missed = give * std::abs(multipliers_[r]);
+      if (missed <= worst[static_cast<std::size_t>(own)]) continue;
+      worst[static_cast<std::size_t>(own)] = missed;
+      Eigen::Matrix<S, Eigen::Dynamic, 1> column = Eigen::Matrix<S, Eigen::Dynamic, 1>::Unit(multipliers_.size(), r);
+      solve_lu(factors, exchange.data(), column);
+      S most = S(1e-3);
+      for (Eigen::Index s = 0; s < column.size(); ++s) {
+        const std::int32_t other = rows_[static_cast<std::size_t>(s)].constraint;
+        if (other == own || give * std::abs(column[s]) <= most) continue;
+        most = give * std::abs(column[s]);
+        opponents_[static_cast<std::size_t>(own)] = other;
+      }
+    }
   }
 
   void next_constrained_track() {
@@ -257,8 +283,6 @@ class SpacetimeSolver {
     }
     stage_ = Stage::done;
   }
-
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
   SpacetimeOptions<S> options_;
   std::vector<TrackInput<S>> inputs_;  // C
@@ -278,6 +302,7 @@ class SpacetimeSolver {
   std::vector<std::vector<Vec3<S>>> solution_;  // C x T
   std::vector<std::vector<S>> weights_;         // C x T x N
   std::vector<S> residuals_;
+  std::vector<std::int32_t> opponents_;
 };
 
 }  // namespace rigless

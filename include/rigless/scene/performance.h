@@ -26,6 +26,7 @@ struct Performance {
 
   std::vector<std::uint8_t> source_contacts;  // T x C, before the user's own contacts
   std::vector<S> missed;                      // how far each constraint is missed, metres
+  std::vector<std::int32_t> opponents;        // which other constraint each contradicts, or -1
   std::vector<S> coverage;                    // T, how far a frame is from what the user's examples teach, pose spreads
   std::vector<Ask> asks;                      // frames worth teaching next, best first
   std::int32_t have = 0, want = 0;            // user's examples, images counted, and how many would be enough
@@ -47,6 +48,7 @@ Performance<T> performance_cast(const Performance<S>& from) {
   for (const auto& at : from.travel) to.travel.push_back({number(at[0]), number(at[1])});
   to.source_contacts = from.source_contacts;
   for (const S miss : from.missed) to.missed.push_back(number(miss));
+  to.opponents = from.opponents;
   for (const S far : from.coverage) to.coverage.push_back(number(far));
   to.asks = from.asks;
   to.have = from.have;

@@ -96,6 +96,7 @@ class PerformanceBuilder {
     if (const Status status = stand(p); !status.ok()) return status;
     if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
     measure_constraints(p);
+    p.opponents.assign(retargeter_.opponents().begin(), retargeter_.opponents().end());
     p.coverage.assign(coverage_.coverage().begin(), coverage_.coverage().end());
     p.asks = coverage_.asks();
     p.have = coverage_.have();

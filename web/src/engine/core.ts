@@ -253,7 +253,7 @@ export class Core {
       yaw: this.#floats(wasm.performance_yaw(performance), frames),
       travel: this.#floats(wasm.performance_travel(performance), 2 * frames),
       slip: { before, after },
-      missed: { worst: this.#missed(performance, wishes, constraints) },
+      missed: this.#missed(performance, wishes, constraints),
       coverage: this.#floats(wasm.performance_coverage(performance), frames),
       ask: Array.from({ length: asks }, (_, i) => ({ frame: asked[2 * i] ?? 0, gain: asked[2 * i + 1] ?? 0 })),
       enough: { have, want },
@@ -264,11 +264,16 @@ export class Core {
   }
 
   /** The core counts places first, then those that are still. */
-  #missed(performance: Handle, count: number, constraints: ConstraintInput[]): Float32Array {
+  #missed(performance: Handle, count: number, constraints: ConstraintInput[]): Performance["missed"] {
     const worst = this.#floats(this.#wasm.performance_missed(performance), count);
-    let place = 0;
-    let still = constraints.filter(({ kind }) => kind === "position").length;
-    return Float32Array.from(constraints, ({ kind }) => worst[kind === "position" ? place++ : still++] ?? 0);
+    const against = new Int32Array(this.#wasm.memory.buffer, this.#wasm.performance_opponents(performance), count);
+    const order = (["position", "still"] as const).flatMap((kind) => constraints.flatMap((wish, n) => (wish.kind === kind ? [n] : [])));
+    const missed = { worst: new Float32Array(count), against: new Int32Array(count) };
+    order.forEach((n, k) => {
+      missed.worst[n] = worst[k] ?? 0;
+      missed.against[n] = order[against[k] ?? -1] ?? -1;
+    });
+    return missed;
   }
 
   #needControls(): void {

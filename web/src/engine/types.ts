@@ -115,8 +115,11 @@ export interface Performance {
   travel: Float32Array;
   /** Mean horizontal speed of standing controls, metres per second, before and after the foot lock. */
   slip: { before: number; after: number };
-  /** Metres by which each constraint is missed, in the order of the input; 0 where it holds. */
-  missed: { worst: Float32Array };
+  /**
+   * In the order of the input: metres by which each constraint is missed, 0 where it holds; and the index of the constraint that
+   * it contradicts, -1 where there is none (what is missed then stands against the ground).
+   */
+  missed: { worst: Float32Array; against: Int32Array };
   /**
    * T, how far each frame is from what the user's poses (not the starters) teach: 0 taught, about 1 as far as a random frame is
    * from the mean pose. With no pose at all, the distance from a random frame (1.4 on average).

@@ -71,6 +71,7 @@ export interface RiglessExports {
   performance_travel(performance: Handle): Pointer;
   performance_source_contacts(performance: Handle): Pointer;
   performance_missed(performance: Handle): Pointer;
+  performance_opponents(performance: Handle): Pointer;
   performance_coverage(performance: Handle): Pointer;
   performance_asks(performance: Handle, out: Pointer): void;
 }

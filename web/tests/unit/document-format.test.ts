@@ -54,7 +54,7 @@ it("the page's track has exactly the fields that are written", async () => {
     performance: {
       frames: 2, controls: Float32Array.from({ length: 6 * C }, (_, i) => i), contacts: Uint8Array.from([1, 0, 1, 1, 1, 0]),
       flights: [[0, 1]], yaw: new Float32Array(2), travel: new Float32Array(4), slip: { before: 0, after: 0 },
-      missed: { worst: new Float32Array(0) }, coverage: new Float32Array(2), ask: [], enough: { have: 0, want: 0 }, starters: 0,
+      missed: { worst: new Float32Array(0), against: new Int32Array(0) }, coverage: new Float32Array(2), ask: [], enough: { have: 0, want: 0 }, starters: 0,
       sourceContacts: new Uint8Array(6), milliseconds: 1,
     },
     frames: [frame, frame],

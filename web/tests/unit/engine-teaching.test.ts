@@ -49,6 +49,7 @@ describe("wishes", () => {
     expect(missed.worst[0]).toBeCloseTo(0.1, 5);
     expect(missed.worst[1]).toBeLessThan(1e-6);
     expect(missed.worst[2]).toBeCloseTo(0.1, 5);
+    expect([...missed.against]).toEqual([2, -1, 0]);
   });
 
   test("for what does not exist are refused by number", async () => {
