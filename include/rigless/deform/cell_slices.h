@@ -30,13 +30,13 @@ struct CellSlices {
     L moment[6] = {};  // sum w e e^T: xx, xy, xz, yy, yz, zz
   };
 
-  std::vector<Cell> cell;           // slices
-  std::vector<std::int32_t> place;  // slices x width: row of x and r
-  std::vector<std::int32_t> first;  // slices + 1: into slot
+  std::vector<Cell> cell;            // slices
+  std::vector<simd::RowOffset> row;  // slices x width: of x and r
+  std::vector<std::int32_t> first;   // slices + 1: into slot
   std::vector<Slot> slot;
-  std::vector<std::int32_t> other;    // slots x width: row of the neighbour
-  std::vector<std::int32_t> lane_of;  // n: place -> slice * width + lane
-  std::vector<L> edges;               // scratch: 3 per slot of the longest slice, for two slices
+  std::vector<simd::RowOffset> other;  // slots x width: row of the neighbour
+  std::vector<std::int32_t> lane_of;   // n: place -> slice * width + lane
+  std::vector<L> edges;                // scratch: 3 per slot of the longest slice, for two slices
 
   std::size_t size() const { return cell.size(); }
 
@@ -59,7 +59,7 @@ struct CellSlices {
 
   std::int64_t bytes() const {
     const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-    return of(cell) + of(place) + of(first) + of(slot) + of(other) + of(lane_of) + of(edges);
+    return of(cell) + of(row) + of(first) + of(slot) + of(other) + of(lane_of) + of(edges);
   }
 };
 
@@ -99,24 +99,24 @@ RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
     for (std::size_t k = 0; k < width; ++k) {
       const int lane = static_cast<int>(k);
       const bool padding = b + k >= n;
-      const std::int32_t row =
+      const std::int32_t place =
           padding ? static_cast<std::int32_t>(n) : place_of[static_cast<std::size_t>(order[b + k])];
-      out.place.push_back(row);
+      out.row.push_back(simd::row_offset<S>(place));
       const S size = padding ? S(0) : cells.weighted_size[static_cast<std::size_t>(order[b + k])];
       cell.size[lane] = size;
       cell.inverse_size[lane] = size > S(0) ? S(1) / size : S(0);
       cell.idle[lane] = size > S(0) ? S(0) : S(1);
-      out.other.resize(out.slot.size() * width, static_cast<std::int32_t>(n));
+      out.other.resize(out.slot.size() * width);
       std::size_t s = slot0;
       if (!padding) {
-        out.lane_of[static_cast<std::size_t>(row)] = static_cast<std::int32_t>((out.cell.size() - 1) * width + k);
+        out.lane_of[static_cast<std::size_t>(place)] = static_cast<std::int32_t>((out.cell.size() - 1) * width + k);
         for_each_edge(cells, static_cast<std::size_t>(order[b + k]), [&](S w, const Vec3<S>& e, std::size_t j) {
           auto& slot = out.slot[s];
           slot.wx[lane] = w * e.x();
           slot.wy[lane] = w * e.y();
           slot.wz[lane] = w * e.z();
           slot.w[lane] = w;
-          out.other[s * width + k] = place_of[j];
+          out.other[s * width + k] = simd::row_offset<S>(place_of[j]);
           const S moment[6] = {e.x() * e.x(), e.x() * e.y(), e.x() * e.z(),
                                e.y() * e.y(), e.y() * e.z(), e.z() * e.z()};
           for (int a = 0; a < 3; ++a) cell.pull[a][lane] += w * e[a];
@@ -124,7 +124,7 @@ RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
           ++s;
         });
       }
-      for (; s < out.slot.size(); ++s) out.other[s * width + k] = row;
+      for (; s < out.slot.size(); ++s) out.other[s * width + k] = simd::row_offset<S>(place);
     }
   }
   out.edges.resize(2 * 3 * longest);

@@ -27,7 +27,7 @@ inline Gathered<S> gather_slice(CellSlices<S>& slices, std::size_t s, const simd
   using L = simd::Lanes<S>;
   constexpr int width = simd::width<S>;
   PointLanes<S> at;
-  simd::gather<S, width>(x, slices.place.data() + s * width, at.x, at.y, at.z);
+  simd::gather<S, width>(x, slices.row.data() + s * width, at.x, at.y, at.z);
   Gathered<S> g = {};
   auto& C = g.C;
   L* edge = slices.edges_of(s);
@@ -65,11 +65,9 @@ inline Gathered<S> gather_slice(CellSlices<S>& slices, std::size_t s, const simd
 // tr(R C), which is e'.e^r.
 template <class S>
 inline simd::Lanes<S> trace_of_product(const MatrixLanes<S>& R, const MatrixLanes<S>& C) {
-  simd::Lanes<S> t = {};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) t += R.m[3 * i + j] * C.m[3 * j + i];
-  }
-  return t;
+  simd::Lanes<S> t[3];  // three short sums instead of a long one
+  for (int i = 0; i < 3; ++i) t[i] = R.m[3 * i] * C.m[i] + R.m[3 * i + 1] * C.m[3 + i] + R.m[3 * i + 2] * C.m[6 + i];
+  return t[0] + t[1] + t[2];
 }
 
 // (M e) of lanes.
@@ -92,7 +90,7 @@ inline void spread_residual(const CellSlices<S>& slices, std::size_t s, MatrixLa
   }
   const auto& b = slices.cell[s].pull;
   const PointLanes<S> t = product(M, b[0], b[1], b[2]);
-  simd::scatter_add<S, width>(r, slices.place.data() + s * width, -t.x - pull.x, -t.y - pull.y, -t.z - pull.z);
+  simd::scatter_add<S, width>(r, slices.row.data() + s * width, -t.x - pull.x, -t.y - pull.y, -t.z - pull.z);
 }
 
 // sum w |M e - e'|^2 over the edges of each lane's cell.

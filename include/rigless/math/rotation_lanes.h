@@ -40,9 +40,8 @@ inline simd::Lanes<S> newton_step(const MatrixLanes<S>& C, QuaternionLanes<S>& q
     }
   }
   const L ax = g[5] - g[7], ay = g[6] - g[2], az = g[1] - g[3];
-  const L half = simd::splat<L>(S(-0.5));
   const L h00 = g[4] + g[8], h11 = g[0] + g[8], h22 = g[0] + g[4];
-  const L h01 = half * (g[1] + g[3]), h02 = half * (g[2] + g[6]), h12 = half * (g[5] + g[7]);
+  const L h01 = S(-0.5) * (g[1] + g[3]), h02 = S(-0.5) * (g[2] + g[6]), h12 = S(-0.5) * (g[5] + g[7]);
   const L c00 = h11 * h22 - h12 * h12, c01 = h02 * h12 - h01 * h22, c02 = h01 * h12 - h02 * h11;
   const L c11 = h00 * h22 - h02 * h02, c12 = h01 * h02 - h00 * h12, c22 = h00 * h11 - h01 * h01;
   const L det = h00 * c00 + h01 * c01 + h02 * c02;
@@ -54,19 +53,17 @@ inline simd::Lanes<S> newton_step(const MatrixLanes<S>& C, QuaternionLanes<S>& q
           oz = inverse * (c02 * ax + c12 * ay + c22 * az);
   const L step2 = ox * ox + oy * oy + oz * oz;
   const auto take = fine & (step2 < S(1));
-  const L zero = {};
-  const L hx = simd::select(take, S(0.5) * ox, zero), hy = simd::select(take, S(0.5) * oy, zero),
-          hz = simd::select(take, S(0.5) * oz, zero);
-  QuaternionLanes<S> p;  // (1, omega / 2) q
-  p.w = q.w - hx * q.x - hy * q.y - hz * q.z;
-  p.x = q.x + hx * q.w + hy * q.z - hz * q.y;
-  p.y = q.y + hy * q.w + hz * q.x - hx * q.z;
-  p.z = q.z + hz * q.w + hx * q.y - hy * q.x;
-  const L n = p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z;  // 1 + |omega|^2 / 4
-  L r = S(1.5) - S(0.5) * n;                                  // Newton for 1 / sqrt(n) near 1
-  r = r * (S(1.5) - S(0.5) * n * r * r);
-  r = r * (S(1.5) - S(0.5) * n * r * r);
-  q = {p.w * r, p.x * r, p.y * r, p.z * r};
+  // q becomes (1, omega / 2) q, whose squared length is this and near 1 before the last step: three terms of its
+  // inverse root are enough, and do not wait for the product
+  const L longer = (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z) * (S(1) + S(0.25) * step2) - S(1);
+  const L r = S(1) + longer * (longer * (S(0.375) - S(0.3125) * longer) - S(0.5));
+  const L hx = S(0.5) * ox, hy = S(0.5) * oy, hz = S(0.5) * oz;
+  const QuaternionLanes<S> p = {q.w - hx * q.x - hy * q.y - hz * q.z, q.x + hx * q.w + hy * q.z - hz * q.y,
+                                q.y + hy * q.w + hz * q.x - hx * q.z, q.z + hz * q.w + hx * q.y - hy * q.x};
+  q.w = simd::select(take, r * p.w, q.w);
+  q.x = simd::select(take, r * p.x, q.x);
+  q.y = simd::select(take, r * p.y, q.y);
+  q.z = simd::select(take, r * p.z, q.z);
   return simd::select(take, step2, simd::splat<L>(S(-1)));
 }
 

@@ -21,6 +21,24 @@ using Vector = typename VectorOf<S, N>::type;
 template <class S>
 using Quad = Vector<S, 4>;
 
+// Where a row of quads lies, in bytes from the first row: reached by one instruction less than by its number.
+using RowOffset = std::uint32_t;
+
+template <class S>
+inline RowOffset row_offset(std::int32_t row) {
+  return static_cast<RowOffset>(static_cast<std::size_t>(row) * sizeof(Quad<S>));
+}
+
+template <class S>
+inline Quad<S>& row_at(Quad<S>* rows, RowOffset offset) {
+  return *reinterpret_cast<Quad<S>*>(reinterpret_cast<char*>(rows) + offset);
+}
+
+template <class S>
+inline const Quad<S>& row_at(const Quad<S>* rows, RowOffset offset) {
+  return *reinterpret_cast<const Quad<S>*>(reinterpret_cast<const char*>(rows) + offset);
+}
+
 // Lanes for work on many cells at once: what one register holds. Wider vectors on plain SSE2 cost 1.7x.
 #if defined(__AVX__)
 template <class S>
@@ -59,16 +77,17 @@ inline bool any(M mask) {
   return all != 0;
 }
 
-// Rows of N quads, picked by index, as three vectors of N x, y and z.
+// Rows of N quads, picked by their offsets, as three vectors of N x, y and z.
 template <class S, int N>
-inline void gather(const Quad<S>* rows, const std::int32_t* index, Vector<S, N>& x, Vector<S, N>& y, Vector<S, N>& z) {
+inline void gather(const Quad<S>* rows, const RowOffset* at, Vector<S, N>& x, Vector<S, N>& y, Vector<S, N>& z) {
   if constexpr (N == 2) {
-    const Quad<S> a = rows[index[0]], b = rows[index[1]];
+    const Quad<S> a = row_at<S>(rows, at[0]), b = row_at<S>(rows, at[1]);
     x = Vector<S, N>{a[0], b[0]};
     y = Vector<S, N>{a[1], b[1]};
     z = Vector<S, N>{a[2], b[2]};
   } else if constexpr (N == 4) {
-    const Quad<S> a = rows[index[0]], b = rows[index[1]], c = rows[index[2]], d = rows[index[3]];
+    const Quad<S> a = row_at<S>(rows, at[0]), b = row_at<S>(rows, at[1]), c = row_at<S>(rows, at[2]),
+                  d = row_at<S>(rows, at[3]);
     const Quad<S> ab_xy = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd_xy = __builtin_shufflevector(c, d, 0, 4, 1, 5);
     const Quad<S> ab_z = __builtin_shufflevector(a, b, 2, 6, 3, 7), cd_z = __builtin_shufflevector(c, d, 2, 6, 3, 7);
     x = __builtin_shufflevector(ab_xy, cd_xy, 0, 1, 4, 5);
@@ -77,7 +96,7 @@ inline void gather(const Quad<S>* rows, const std::int32_t* index, Vector<S, N>&
   } else {
     static_assert(N == 8);
     const auto pair = [&](int k) {
-      return __builtin_shufflevector(rows[index[k]], rows[index[k + 4]], 0, 1, 2, 3, 4, 5, 6, 7);
+      return __builtin_shufflevector(row_at<S>(rows, at[k]), row_at<S>(rows, at[k + 4]), 0, 1, 2, 3, 4, 5, 6, 7);
     };
     const Vector<S, 8> a = pair(0), b = pair(1), c = pair(2), d = pair(3);
     const Vector<S, 8> ab_xy = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -90,19 +109,19 @@ inline void gather(const Quad<S>* rows, const std::int32_t* index, Vector<S, N>&
   }
 }
 
-// rows[index[k]] += (x, y, z)[k] for each lane in turn, so that equal indices add up.
+// Adds (x, y, z)[k] to the k-th row for each lane in turn, so that equal rows add up.
 template <class S, int N>
-inline void scatter_add(Quad<S>* rows, const std::int32_t* index, Vector<S, N> x, Vector<S, N> y, Vector<S, N> z) {
+inline void scatter_add(Quad<S>* rows, const RowOffset* at, Vector<S, N> x, Vector<S, N> y, Vector<S, N> z) {
   if constexpr (N == 4) {
     const Quad<S> zero = {};
     const Quad<S> xy_low = __builtin_shufflevector(x, y, 0, 4, 1, 5),
                   xy_high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
     const Quad<S> z_low = __builtin_shufflevector(z, zero, 0, 4, 1, 5),
                   z_high = __builtin_shufflevector(z, zero, 2, 6, 3, 7);
-    rows[index[0]] += __builtin_shufflevector(xy_low, z_low, 0, 1, 4, 5);
-    rows[index[1]] += __builtin_shufflevector(xy_low, z_low, 2, 3, 6, 7);
-    rows[index[2]] += __builtin_shufflevector(xy_high, z_high, 0, 1, 4, 5);
-    rows[index[3]] += __builtin_shufflevector(xy_high, z_high, 2, 3, 6, 7);
+    row_at<S>(rows, at[0]) += __builtin_shufflevector(xy_low, z_low, 0, 1, 4, 5);
+    row_at<S>(rows, at[1]) += __builtin_shufflevector(xy_low, z_low, 2, 3, 6, 7);
+    row_at<S>(rows, at[2]) += __builtin_shufflevector(xy_high, z_high, 0, 1, 4, 5);
+    row_at<S>(rows, at[3]) += __builtin_shufflevector(xy_high, z_high, 2, 3, 6, 7);
   } else if constexpr (N == 8) {
     const Vector<S, 8> zero = {};
     const Vector<S, 8> xy_low = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13),
@@ -110,15 +129,15 @@ inline void scatter_add(Quad<S>* rows, const std::int32_t* index, Vector<S, N> x
     const Vector<S, 8> z_low = __builtin_shufflevector(z, zero, 0, 8, 1, 9, 4, 12, 5, 13),
                        z_high = __builtin_shufflevector(z, zero, 2, 10, 3, 11, 6, 14, 7, 15);
     const auto pair = [&](int k, Vector<S, 8> both) {
-      rows[index[k]] += __builtin_shufflevector(both, both, 0, 1, 2, 3);
-      rows[index[k + 4]] += __builtin_shufflevector(both, both, 4, 5, 6, 7);
+      row_at<S>(rows, at[k]) += __builtin_shufflevector(both, both, 0, 1, 2, 3);
+      row_at<S>(rows, at[k + 4]) += __builtin_shufflevector(both, both, 4, 5, 6, 7);
     };
     pair(0, __builtin_shufflevector(xy_low, z_low, 0, 1, 8, 9, 4, 5, 12, 13));
     pair(1, __builtin_shufflevector(xy_low, z_low, 2, 3, 10, 11, 6, 7, 14, 15));
     pair(2, __builtin_shufflevector(xy_high, z_high, 0, 1, 8, 9, 4, 5, 12, 13));
     pair(3, __builtin_shufflevector(xy_high, z_high, 2, 3, 10, 11, 6, 7, 14, 15));
   } else {
-    for (int k = 0; k < N; ++k) rows[index[k]] += Quad<S>{x[k], y[k], z[k], S(0)};
+    for (int k = 0; k < N; ++k) row_at<S>(rows, at[k]) += Quad<S>{x[k], y[k], z[k], S(0)};
   }
 }
 

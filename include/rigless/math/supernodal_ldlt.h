@@ -47,11 +47,13 @@ class SupernodalLdlt {
   void assemble(std::int32_t s, Span<const S> diagonal, Span<const S> coupling);
   void subtract_descendants(std::int32_t s);
   std::int32_t eliminate(std::int32_t s);
+  void store_blocks(std::int32_t s);
 
   SupernodeTree tree_;
   std::vector<std::int32_t> first_, neighbor_;  // the graph
-  std::vector<S> values_;                       // per supernode: w + m rows of w numbers, row-major
-  std::vector<S> inverse_d_;                    // n
+  std::vector<simd::RowOffset> row_at_;         // of tree_.rows
+  std::vector<S> values_;                       // block by block, row-major; 1 / D on the diagonal
+  std::vector<S> panel_;                        // scratch: a supernode as w + m rows of w numbers
   std::vector<std::int32_t> local_row_;         // n: place -> row of the supernode at hand
   std::vector<S> scaled_;                       // scratch: D L^T of one segment
   std::vector<S> update_;                       // scratch: its product with the rows below
@@ -64,14 +66,21 @@ void SupernodalLdlt<S>::analyze(Span<const std::int32_t> first, Span<const std::
   neighbor_.assign(neighbor.begin(), neighbor.end());
   tree_ = build_supernode_tree(first, neighbor);
   values_.assign(static_cast<std::size_t>(tree_.values), S(0));
-  inverse_d_.assign(tree_.place.size(), S(0));
+  row_at_.clear();
+  row_at_.reserve(tree_.rows.size());
+  for (const std::int32_t row : tree_.rows) row_at_.push_back(simd::row_offset<S>(row));
   local_row_.assign(tree_.place.size(), 0);
   dirty_.assign(tree_.nodes.size(), 0);
-  std::size_t widest = 0, largest = 0;
+  std::size_t widest = 0, largest = 0, panel = 0;
+  for (const Supernode& node : tree_.nodes) {
+    panel =
+        std::max(panel, static_cast<std::size_t>(node.width) * static_cast<std::size_t>(node.width + node.row_count));
+  }
+  panel_.assign(panel, S(0));
   for (const auto& link : tree_.links) {
     const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
     const auto q = static_cast<std::size_t>(link.end - link.begin);
-    widest = std::max(widest, q * static_cast<std::size_t>(d.width));
+    widest = std::max(widest, q * ColumnBlock::widest);
     largest = std::max(largest, q * static_cast<std::size_t>(d.row_count - link.begin));
   }
   scaled_.assign(widest, S(0));
@@ -114,6 +123,7 @@ Status SupernodalLdlt<S>::factor_supernode(std::int32_t s, Span<const S> diagona
   assemble(s, diagonal, coupling);
   subtract_descendants(s);
   const std::int32_t bad = eliminate(s);
+  store_blocks(s);
   if (bad < 0) return {};
   const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
   return {Error::factorization_failed, tree_.vertex_at[static_cast<std::size_t>(node.first + bad)]};
@@ -123,7 +133,7 @@ template <class S>
 void SupernodalLdlt<S>::assemble(std::int32_t s, Span<const S> diagonal, Span<const S> coupling) {
   const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
   const auto w = static_cast<std::size_t>(node.width);
-  S* panel = values_.data() + node.values;
+  S* panel = panel_.data();
   std::fill(panel, panel + (w + static_cast<std::size_t>(node.row_count)) * w, S(0));
   for (std::int32_t k = 0; k < node.width; ++k) local_row_[static_cast<std::size_t>(node.first + k)] = k;
   for (std::int32_t r = 0; r < node.row_count; ++r) {
@@ -146,28 +156,30 @@ template <class S>
 void SupernodalLdlt<S>::subtract_descendants(std::int32_t s) {
   const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
   const auto w = static_cast<std::size_t>(node.width);
-  S* panel = values_.data() + node.values;
+  S* panel = panel_.data();
   for (std::int32_t l = node.links; l < node.links + node.link_count; ++l) {
     const SupernodeLink& link = tree_.links[static_cast<std::size_t>(l)];
     const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
-    const auto dw = static_cast<std::size_t>(d.width);
     const auto q = static_cast<std::size_t>(link.end - link.begin);
     const auto p = static_cast<std::size_t>(d.row_count - link.begin);
-    const S* L = values_.data() + d.values + (dw + static_cast<std::size_t>(link.begin)) * dw;
     const std::int32_t* rows = tree_.rows.data() + d.rows + link.begin;
-    S* B = scaled_.data();
-    for (std::size_t k = 0; k < dw; ++k) {
-      const S dk = S(1) / inverse_d_[static_cast<std::size_t>(d.first) + k];
-      for (std::size_t c = 0; c < q; ++c) B[k * q + c] = dk * L[c * dw + k];
-    }
     S* U = update_.data();
     std::fill(U, U + p * q, S(0));
-    for (std::size_t r = 0; r < p; ++r) {
-      for (std::size_t k = 0; k < dw; ++k) {
-        const S lrk = L[r * dw + k];
-        const S* b = B + k * q;
-        S* u = U + r * q;
-        for (std::size_t c = 0; c < q; ++c) u[c] += lrk * b[c];
+    for (std::int32_t k0 = 0; k0 < d.width; k0 += ColumnBlock::widest) {
+      const ColumnBlock& block = tree_.blocks[static_cast<std::size_t>(d.blocks + k0 / ColumnBlock::widest)];
+      const auto n = static_cast<std::size_t>(block.width);
+      const S* square = values_.data() + block.values;
+      const S* L = square + n * static_cast<std::size_t>(d.width - k0 + link.begin);
+      S* B = scaled_.data();
+      for (std::size_t k = 0; k < n; ++k) {
+        const S dk = S(1) / square[k * n + k];
+        for (std::size_t c = 0; c < q; ++c) B[k * q + c] = dk * L[c * n + k];
+      }
+      for (std::size_t r = 0; r < p; ++r) {
+        for (std::size_t k = 0; k < n; ++k) {
+          const S t = L[r * n + k];
+          for (std::size_t c = 0; c < q; ++c) U[r * q + c] += t * B[k * q + c];
+        }
       }
     }
     for (std::size_t r = 0; r < p; ++r) {
@@ -183,19 +195,18 @@ std::int32_t SupernodalLdlt<S>::eliminate(std::int32_t s) {
   const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
   const auto w = static_cast<std::size_t>(node.width);
   const std::size_t total = w + static_cast<std::size_t>(node.row_count);
-  S* panel = values_.data() + node.values;
-  S* inverse_d = inverse_d_.data() + node.first;
+  S* panel = panel_.data();
   // the upper triangle of the square holds L^T while it lasts, so that inner loops run along rows
   for (std::size_t j = 0; j < w; ++j) {
     const S d = panel[j * w + j];
     if (!(d > S(0)) || !std::isfinite(d)) return static_cast<std::int32_t>(j);
-    inverse_d[j] = S(1) / d;
+    const S inverse = panel[j * w + j] = S(1) / d;
     S* transposed = panel + j * w;
-    for (std::size_t k = j + 1; k < w; ++k) transposed[k] = panel[k * w + j] * inverse_d[j];
+    for (std::size_t k = j + 1; k < w; ++k) transposed[k] = panel[k * w + j] * inverse;
     for (std::size_t i = j + 1; i < w; ++i) {
       const S t = panel[i * w + j];
       for (std::size_t k = j + 1; k <= i; ++k) panel[i * w + k] -= t * transposed[k];
-      panel[i * w + j] = t * inverse_d[j];
+      panel[i * w + j] = t * inverse;
     }
   }
   for (std::size_t i = w; i < total; ++i) {
@@ -203,60 +214,52 @@ std::int32_t SupernodalLdlt<S>::eliminate(std::int32_t s) {
     for (std::size_t j = 0; j < w; ++j) {
       const S t = row[j];
       const S* transposed = panel + j * w;
+      row[j] = t * transposed[j];
       for (std::size_t k = j + 1; k < w; ++k) row[k] -= t * transposed[k];
     }
-    for (std::size_t j = 0; j < w; ++j) row[j] *= inverse_d[j];
   }
   return -1;
 }
 
 template <class S>
-void SupernodalLdlt<S>::solve(Quad* x) const {
-  for (const Supernode& node : tree_.nodes) {
-    const auto w = static_cast<std::size_t>(node.width);
-    const auto m = static_cast<std::size_t>(node.row_count);
-    const S* L = values_.data() + node.values;
-    const std::int32_t* rows = tree_.rows.data() + node.rows;
-    Quad* y = x + node.first;
-    for (std::size_t i = 1; i < w; ++i) {
-      Quad acc = y[i];
-      for (std::size_t k = 0; k < i; ++k) acc -= L[i * w + k] * y[k];
-      y[i] = acc;
-    }
-    const S* below = L + w * w;
-    if (w <= 4) {
-      detail::with_width<4>(w, [&](auto n) { detail::forward_rows<S, n>(below, m, rows, y, x); });
-    } else {
-      detail::forward_any<S>(below, w, m, rows, y, x);
-    }
+void SupernodalLdlt<S>::store_blocks(std::int32_t s) {
+  const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
+  const auto w = static_cast<std::size_t>(node.width);
+  const std::size_t total = w + static_cast<std::size_t>(node.row_count);
+  for (std::size_t k = 0; k < w; k += ColumnBlock::widest) {
+    const ColumnBlock& block = tree_.blocks[static_cast<std::size_t>(node.blocks) + k / ColumnBlock::widest];
+    S* to = values_.data() + block.values;
+    const auto n = static_cast<std::size_t>(block.width);
+    for (std::size_t i = k; i < total; ++i, to += n) std::copy_n(panel_.data() + i * w + k, n, to);
   }
-  for (auto it = tree_.nodes.rbegin(); it != tree_.nodes.rend(); ++it) {
-    const Supernode& node = *it;
-    const auto w = static_cast<std::size_t>(node.width);
-    const auto m = static_cast<std::size_t>(node.row_count);
-    const S* L = values_.data() + node.values;
-    const std::int32_t* rows = tree_.rows.data() + node.rows;
-    Quad* y = x + node.first;
-    for (std::size_t k = 0; k < w; ++k) y[k] *= inverse_d_[static_cast<std::size_t>(node.first) + k];
-    const S* below = L + w * w;
-    std::size_t k = 0;
-    for (; k + 8 <= w; k += 8) detail::back_columns<S, 8>(below + k, w, m, rows, x, y + k);
-    if (k < w) {
-      detail::with_width<7>(w - k, [&](auto n) { detail::back_columns<S, n>(below + k, w, m, rows, x, y + k); });
-    }
-    for (std::size_t i = w; i-- > 1;) {
-      const Quad yi = y[i];
-      for (std::size_t j = 0; j < i; ++j) y[j] -= L[i * w + j] * yi;
-    }
+}
+
+template <class S>
+void SupernodalLdlt<S>::solve(Quad* x) const {
+  const auto run = [&](const ColumnBlock& block, auto kernel) {
+    detail::with_width<ColumnBlock::widest>(static_cast<std::size_t>(block.width), [&](auto n) {
+      kernel(n, values_.data() + block.values, static_cast<std::size_t>(block.row_count), row_at_.data() + block.rows,
+             x + block.first);
+    });
+  };
+  for (const ColumnBlock& block : tree_.blocks) {
+    run(block, [x](auto n, const S* L, std::size_t m, const simd::RowOffset* rows, Quad* y) {
+      detail::forward_block<S, n>(L, m, rows, y, x);
+    });
+  }
+  for (auto block = tree_.blocks.rbegin(); block != tree_.blocks.rend(); ++block) {
+    run(*block, [x](auto n, const S* L, std::size_t m, const simd::RowOffset* rows, Quad* y) {
+      detail::backward_block<S, n>(L, m, rows, y, x);
+    });
   }
 }
 
 template <class S>
 std::int64_t SupernodalLdlt<S>::bytes() const {
   const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-  return of(first_) + of(neighbor_) + of(values_) + of(inverse_d_) + of(local_row_) + of(scaled_) + of(update_) +
-         of(dirty_) + of(tree_.place) + of(tree_.vertex_at) + of(tree_.node_of) + of(tree_.nodes) + of(tree_.rows) +
-         of(tree_.links);
+  return of(first_) + of(neighbor_) + of(values_) + of(panel_) + of(row_at_) + of(local_row_) + of(scaled_) +
+         of(update_) + of(dirty_) + of(tree_.place) + of(tree_.vertex_at) + of(tree_.node_of) + of(tree_.nodes) +
+         of(tree_.blocks) + of(tree_.rows) + of(tree_.links);
 }
 
 }  // namespace rigless

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 #include "rigless/math/simd.h"
@@ -20,50 +19,40 @@ inline void with_width(std::size_t w, const F& f) {
   f(std::integral_constant<std::size_t, Most>{});
 }
 
-// acc[k] -= sum over rows of L(row, k) y(row), for N columns at once.
+// Solves with the triangle of a block of N columns, whose diagonal holds 1 / D, takes what follows off the rows below,
+// and leaves y divided by D.
 template <class S, std::size_t N>
-inline void back_columns(const S* L, std::size_t w, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* x,
-                         simd::Quad<S>* out) {
-  simd::Quad<S> acc[N];
-  for (std::size_t k = 0; k < N; ++k) acc[k] = out[k];
-  for (std::size_t r = 0; r < m; ++r, L += w) {
-    const simd::Quad<S> y = x[rows[r]];
-    for (std::size_t k = 0; k < N; ++k) acc[k] -= L[k] * y;
-  }
-  for (std::size_t k = 0; k < N; ++k) out[k] = acc[k];
-}
-
-// x(row) -= sum_k L(row, k) y(k) over a supernode of N columns.
-template <class S, std::size_t N>
-inline void forward_rows(const S* L, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y,
-                         simd::Quad<S>* x) {
+inline void forward_block(const S* L, std::size_t m, const simd::RowOffset* rows, simd::Quad<S>* y, simd::Quad<S>* x) {
   simd::Quad<S> held[N];
-  for (std::size_t k = 0; k < N; ++k) held[k] = y[k];
+  for (std::size_t i = 0; i < N; ++i) {
+    held[i] = y[i];
+    for (std::size_t k = 0; k < i; ++k) held[i] -= L[i * N + k] * held[k];
+    y[i] = L[i * N + i] * held[i];
+  }
+  L += N * N;
   for (std::size_t r = 0; r < m; ++r, L += N) {
-    simd::Quad<S> acc = x[rows[r]];
+    simd::Quad<S>& row = simd::row_at<S>(x, rows[r]);
+    simd::Quad<S> acc = row;
     for (std::size_t k = 0; k < N; ++k) acc -= L[k] * held[k];
-    x[rows[r]] = acc;
+    row = acc;
   }
 }
 
-template <class S>
-inline void forward_any(const S* L, std::size_t w, std::size_t m, const std::int32_t* rows, const simd::Quad<S>* y,
-                        simd::Quad<S>* x) {
-  std::size_t r = 0;
-  for (; r + 2 <= m; r += 2) {
-    const S *a = L + r * w, *b = a + w;
-    simd::Quad<S> acc_a = x[rows[r]], acc_b = x[rows[r + 1]];
-    for (std::size_t k = 0; k < w; ++k) {
-      acc_a -= a[k] * y[k];
-      acc_b -= b[k] * y[k];
-    }
-    x[rows[r]] = acc_a;
-    x[rows[r + 1]] = acc_b;
+// Back-substitution of the same block. Starts with the farthest row: the nearest ones have only just been computed.
+template <class S, std::size_t N>
+inline void backward_block(const S* L, std::size_t m, const simd::RowOffset* rows, simd::Quad<S>* y,
+                           const simd::Quad<S>* x) {
+  simd::Quad<S> acc[N];
+  for (std::size_t k = 0; k < N; ++k) acc[k] = y[k];
+  const S* row = L + (N + m) * N;
+  for (std::size_t r = m; r-- > 0;) {
+    row -= N;
+    const simd::Quad<S> known = simd::row_at<S>(x, rows[r]);
+    for (std::size_t k = 0; k < N; ++k) acc[k] -= row[k] * known;
   }
-  for (; r < m; ++r) {
-    simd::Quad<S> acc = x[rows[r]];
-    for (std::size_t k = 0; k < w; ++k) acc -= L[r * w + k] * y[k];
-    x[rows[r]] = acc;
+  for (std::size_t i = N; i-- > 0;) {
+    for (std::size_t j = 0; j < i; ++j) acc[j] -= L[i * N + j] * acc[i];
+    y[i] = acc[i];
   }
 }
 

@@ -12,16 +12,28 @@
 
 namespace rigless {
 
-// Columns first .. first + width - 1 of the factor; below their square block they share row_count rows.
+// Columns first .. first + width - 1 of the factor; below their triangle they share row_count rows.
 struct Supernode {
   std::int32_t first = 0;
   std::int32_t width = 0;
-  std::int32_t rows = 0;  // into SupernodeTree::rows
+  std::int32_t rows = 0;  // into SupernodeTree::rows; the columns themselves stand just before
   std::int32_t row_count = 0;
   std::int32_t parent = -1;  // supernode that holds the first of those rows
   std::int32_t links = 0;    // into SupernodeTree::links
   std::int32_t link_count = 0;
-  std::int64_t values = 0;  // into the factor's numbers: (width + row_count) x width
+  std::int32_t blocks = 0;  // into SupernodeTree::blocks
+};
+
+// A few neighbouring columns of one supernode and all rows below them, as a solve reads them: a square, of which the
+// lower triangle counts, then row_count rows of `width` numbers.
+struct ColumnBlock {
+  static constexpr std::int32_t widest = 4;
+
+  std::int32_t first = 0;
+  std::int32_t width = 0;
+  std::int32_t rows = 0;  // into SupernodeTree::rows
+  std::int32_t row_count = 0;
+  std::int64_t values = 0;  // into the factor's numbers
 };
 
 // Rows begin .. end - 1 of an earlier supernode lie among the columns of this one.
@@ -35,9 +47,10 @@ struct SupernodeTree {
   std::vector<std::int32_t> vertex_at;  // n: place -> vertex
   std::vector<std::int32_t> node_of;    // n: place -> supernode
   std::vector<Supernode> nodes;
+  std::vector<ColumnBlock> blocks;   // supernode by supernode
   std::vector<std::int32_t> rows;    // places, ascending within a supernode
   std::vector<SupernodeLink> links;  // grouped by the supernode that is updated
-  std::int64_t values = 0;           // numbers in all panels
+  std::int64_t values = 0;           // numbers in all blocks
 };
 
 // Orders by approximate minimum degree and merges columns into supernodes, also where a few zeros must be stored for
@@ -191,6 +204,21 @@ RIGLESS_ONCE inline std::vector<std::int32_t> supernode_ends(const Columns& colu
   return ends;
 }
 
+// Cuts a supernode into blocks.
+inline void append_blocks(SupernodeTree& tree, Supernode& node) {
+  node.blocks = static_cast<std::int32_t>(tree.blocks.size());
+  for (std::int32_t k = 0; k < node.width; k += ColumnBlock::widest) {
+    ColumnBlock block;
+    block.first = node.first + k;
+    block.width = std::min(ColumnBlock::widest, node.width - k);
+    block.rows = node.rows - node.width + k + block.width;
+    block.row_count = node.row_count + node.width - k - block.width;
+    block.values = tree.values;
+    tree.values += static_cast<std::int64_t>(block.width) * (block.width + block.row_count);
+    tree.blocks.push_back(block);
+  }
+}
+
 RIGLESS_ONCE inline void link_supernodes(SupernodeTree& tree) {
   std::vector<SupernodeLink> links;
   std::vector<std::int32_t> target;
@@ -247,13 +275,13 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
     Supernode node;
     node.first = start;
     node.width = end - start + 1;
+    for (std::int32_t k = start; k <= end; ++k) tree.rows.push_back(k);
     node.rows = static_cast<std::int32_t>(tree.rows.size());
     const auto from = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[static_cast<std::size_t>(end)]);
     const auto to = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[static_cast<std::size_t>(end) + 1]);
     tree.rows.insert(tree.rows.end(), from, to);
     node.row_count = static_cast<std::int32_t>(to - from);
-    node.values = tree.values;
-    tree.values += static_cast<std::int64_t>(node.width) * (node.width + node.row_count);
+    detail::append_blocks(tree, node);
     for (std::int32_t k = start; k <= end; ++k) {
       tree.node_of[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(tree.nodes.size());
     }
