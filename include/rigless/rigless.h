@@ -3,6 +3,7 @@
 
 #include "rigless/deform/build_cells.h"
 #include "rigless/deform/cell_slices.h"
+#include "rigless/deform/cell_sweep.h"
 #include "rigless/deform/cells.h"
 #include "rigless/deform/curve_control.h"
 #include "rigless/deform/deformer.h"
@@ -11,6 +12,7 @@
 #include "rigless/deform/laplacian_editor.h"
 #include "rigless/deform/laplacian_system.h"
 #include "rigless/deform/local_step.h"
+#include "rigless/deform/pose_step.h"
 #include "rigless/deform/position_constraints.h"
 #include "rigless/deform/thesis_deformer.h"
 #include "rigless/deform/volume_law.h"

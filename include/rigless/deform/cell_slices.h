@@ -36,6 +36,7 @@ struct CellSlices {
   std::vector<Slot> slot;
   std::vector<simd::RowOffset> other;  // slots x width: row of the neighbour
   std::vector<std::int32_t> lane_of;   // n: place -> slice * width + lane
+  std::vector<L> inverse_weight;       // slots; 0 for padding
   std::vector<L> edges;                // scratch: 3 per slot of the longest slice, for two slices
 
   std::size_t size() const { return cell.size(); }
@@ -59,7 +60,7 @@ struct CellSlices {
 
   std::int64_t bytes() const {
     const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-    return of(cell) + of(row) + of(first) + of(slot) + of(other) + of(lane_of) + of(edges);
+    return of(cell) + of(row) + of(first) + of(slot) + of(other) + of(inverse_weight) + of(lane_of) + of(edges);
   }
 };
 
@@ -91,6 +92,7 @@ RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
     longest = std::max(longest, static_cast<std::size_t>(slots));
     const std::size_t slot0 = out.slot.size();
     out.slot.resize(slot0 + static_cast<std::size_t>(slots), {L{}, L{}, L{}, L{}});
+    out.inverse_weight.resize(out.slot.size(), L{});
     out.first.push_back(static_cast<std::int32_t>(out.slot.size()));
     out.cell.emplace_back();
     auto& cell = out.cell.back();
@@ -116,6 +118,7 @@ RIGLESS_ONCE CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
           slot.wy[lane] = w * e.y();
           slot.wz[lane] = w * e.z();
           slot.w[lane] = w;
+          out.inverse_weight[s][lane] = S(1) / w;
           out.other[s * width + k] = simd::row_offset<S>(place_of[j]);
           const S moment[6] = {e.x() * e.x(), e.x() * e.y(), e.x() * e.z(),
                                e.y() * e.y(), e.y() * e.z(), e.z() * e.z()};

@@ -5,6 +5,7 @@
 #include "rigless/deform/discs.h"
 #include "rigless/deform/hard_rows.h"
 #include "rigless/deform/local_step.h"
+#include "rigless/deform/pose_step.h"
 #include "rigless/deform/volume_law.h"
 
 namespace rigless {

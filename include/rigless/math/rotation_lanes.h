@@ -3,6 +3,7 @@
 
 #include "rigless/math/rotation.h"
 #include "rigless/math/simd.h"
+#include "rigless/math/status.h"
 
 namespace rigless {
 
@@ -17,7 +18,7 @@ struct QuaternionLanes {
 };
 
 template <class S>
-inline MatrixLanes<S> rotation_matrix(const QuaternionLanes<S>& q) {
+RIGLESS_INNER MatrixLanes<S> rotation_matrix(const QuaternionLanes<S>& q) {
   using L = simd::Lanes<S>;
   const L x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
   const L xx = q.x * x2, yy = q.y * y2, zz = q.z * z2, xy = q.x * y2, xz = q.x * z2, yz = q.y * z2;
@@ -30,7 +31,7 @@ namespace detail {
 // One Newton step on SO(3) towards the maximum of tr(R C): with G = R C, solve (tr G I - sym G) omega = axial(G).
 // Gives |omega|^2, or a negative number in lanes where the second derivative is not negative definite.
 template <class S>
-inline simd::Lanes<S> newton_step(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
+RIGLESS_INNER simd::Lanes<S> newton_step(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
   using L = simd::Lanes<S>;
   const MatrixLanes<S> R = rotation_matrix(q);
   L g[9];
@@ -76,31 +77,36 @@ void set_rotation(const Mat3<S>& R, int lane, QuaternionLanes<S>& q) {
   q.z[lane] = r.z();
 }
 
+// Lanes whose last step was too long, or none, by the singular value decomposition.
+template <class S>
+RIGLESS_ONCE void settle_exactly(const MatrixLanes<S>& C, simd::Lanes<S> step2, S settled, QuaternionLanes<S>& q) {
+  for (int k = 0; k < simd::width<S>; ++k) {
+    if (step2[k] >= S(0) && step2[k] <= settled) continue;
+    Mat3<S> c;
+    for (int r = 0; r < 3; ++r) {
+      for (int s = 0; s < 3; ++s) c(r, s) = C.m[3 * r + s][k];
+    }
+    set_rotation(nearest_rotation(c), k, q);
+  }
+}
+
 }  // namespace detail
 
 // Turns each q to the rotation that maximises tr(R C) in its lane, starting from q. One step as a rule; lanes that
 // Newton cannot bring there (rank <= 1, a jump) take the singular value decomposition. No allocation. Source: thesis
 // Eq 3.4; Newton on SO(3) after Taylor and Kriegman 1994, "Minimization on the Lie group SO(3)".
 template <class S>
-inline void fit_rotations(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
+RIGLESS_INNER void fit_rotations(const MatrixLanes<S>& C, QuaternionLanes<S>& q) {
   // squared step after which the next one would be below what S can show, or below what a later iteration repairs
   // anyway
   constexpr S settled = sizeof(S) == 4 ? S(1e-4) : S(1e-10);
-  constexpr int lanes = simd::width<S>;
   simd::Lanes<S> step2 = {};
   for (int attempt = 0; attempt < 4; ++attempt) {
     step2 = detail::newton_step(C, q);
     if (!simd::any((step2 < S(0)) | ~(step2 <= settled))) return;
     if (simd::any(step2 < S(0))) break;
   }
-  for (int k = 0; k < lanes; ++k) {
-    if (step2[k] >= S(0) && step2[k] <= settled) continue;
-    Mat3<S> c;
-    for (int r = 0; r < 3; ++r) {
-      for (int s = 0; s < 3; ++s) c(r, s) = C.m[3 * r + s][k];
-    }
-    detail::set_rotation(nearest_rotation(c), k, q);
-  }
+  detail::settle_exactly(C, step2, settled, q);
 }
 
 }  // namespace rigless

@@ -2,9 +2,9 @@
 // An arithmetic operator acts on all lanes; a comparison gives lanes of all ones or zero.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace rigless::simd {
 
@@ -56,10 +56,20 @@ inline V splat(S value) {
   return V{} + value;
 }
 
-// Square root of each lane; the loop becomes one instruction.
-template <class S, int N>
-inline void sqrt_lanes(Vector<S, N>& v) {
-  for (int k = 0; k < N; ++k) v[k] = std::sqrt(v[k]);
+// 1 / sqrt(v) of each lane, finite for 0; v >= 0. Compilers take std::sqrt lane by lane, since it may set errno.
+// One step is right to 2e-3, two to 5e-6; by default all that S can show.
+// Source: a guess from the exponent, after Lomont 2003, then Newton.
+template <class S, int N, int steps = sizeof(S) == 4 ? 3 : 4>
+inline Vector<S, N> inverse_root(Vector<S, N> v) {
+  using Bits = std::conditional_t<sizeof(S) == 4, std::int32_t, std::int64_t>;
+  Vector<Bits, N> bits;
+  std::memcpy(&bits, &v, sizeof(v));
+  bits = static_cast<Bits>(sizeof(S) == 4 ? 0x5f375a86 : 0x5fe6eb50c7b537a9) - (bits >> 1);
+  Vector<S, N> r;
+  std::memcpy(&r, &bits, sizeof(v));
+  const Vector<S, N> half = S(-0.5) * v;
+  for (int it = 0; it < steps; ++it) r *= S(1.5) + half * r * r;
+  return r;
 }
 
 // Lane by lane: mask ? a : b. The mask comes from a comparison of vectors of the same shape.

@@ -14,6 +14,10 @@
 #define RIGLESS_ONCE
 #endif
 
+// Marks the small functions of inner loops that hand whole registers to each other: g++ gives up on them when several
+// loops use them, and each call then costs a trip through memory.
+#define RIGLESS_INNER __attribute__((always_inline)) inline
+
 namespace rigless {
 
 enum class Error : std::int32_t {

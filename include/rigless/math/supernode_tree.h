@@ -193,7 +193,7 @@ RIGLESS_ONCE inline std::vector<std::int32_t> supernode_ends(const Columns& colu
       const std::int64_t zeros = s.zeros + p.zeros + ws * (wp + below(p.last) - below(s.last));
       const std::int64_t size = w * (w + 1) / 2 + w * below(p.last);
       const double share = static_cast<double>(zeros) / static_cast<double>(size);
-      if (share > (w <= 4 ? 0.35 : w <= 12 ? 0.15 : 0.05)) break;
+      if (share > (w <= 4 ? 0.5 : w <= 12 ? 0.15 : 0.05)) break;
       const Draft merged{s.first, p.last, zeros};
       drafts.pop_back();
       drafts.back() = merged;
