@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "rigless/retarget/bounded_spacetime.h"
+
 using rigless::Vec3;
 
 namespace {
@@ -401,6 +403,50 @@ TEST_CASE("retarget: the whole pose tells apart what one joint cannot") {
   const double with_pose = error();
   scene.options.pose_weight = 0;
   CHECK(with_pose < 0.5 * error());
+}
+
+TEST_CASE("retarget: a constraint pops half as much as in the paper's settings, or less") {
+  auto scene = scene_of<double>(90, 6);
+  auto paper = scene;
+  paper.options = rigless::RetargetOptions<double>::thesis();
+  const auto added_peak = [](Scene<double>& s) {
+    const auto before = s.solve();
+    s.constraints.positions.push_back({1, 45, before[45 * 5 + 1] + Vec3<double>(0, 0.2, 0), {true, true, true}});
+    const auto after = s.solve();
+    double most = 0;
+    const auto change = [&](std::size_t f) { return (after[f * 5 + 1] - before[f * 5 + 1]).eval(); };
+    for (std::size_t f = 1; f + 1 < 90; ++f)
+      most = std::max(most, (change(f - 1) - 2 * change(f) + change(f + 1)).norm());
+    return most;
+  };
+  const double ours = added_peak(scene), theirs = added_peak(paper);
+  MESSAGE("peak acceleration that a constraint adds: " << ours << ", the paper's settings " << theirs);
+  CHECK(ours <= 0.5 * theirs);
+}
+
+TEST_CASE("retarget: bounded weights keep a noisy hand from throwing a control away") {
+  auto scene = scene_of<double>(60, 6, 30, 3);
+  std::mt19937 random(5);
+  scene.example_joints.clear();
+  scene.example_controls.clear();
+  for (int n = 0; n < 6; ++n) add_example(scene, 0.1 * n, random, 0.1);  // nearly flat tetrahedra
+  scene.options = rigless::RetargetOptions<double>::thesis();
+  rigless::Retargeter<double> free;
+  rigless::Retargeter<double, rigless::BoundedSpacetimeSolver<double>> bounded;
+  bounded.solver().set_bounds(-0.5, 1.5);
+  const auto largest = [&](auto& run) {
+    REQUIRE(run.begin(scene.input(), scene.options).ok());
+    while (run.advance(500)) {
+    }
+    std::vector<Vec3<double>> tracks;
+    REQUIRE(run.finish(tracks).ok());
+    double most = 0;
+    for (std::int32_t c = 0; c < 5; ++c)
+      for (const double w : run.weights(c)) most = std::max(most, std::abs(w));
+    return most;
+  };
+  CHECK(largest(free) > 3);
+  CHECK(largest(bounded) <= 1.5 + 1e-6);
 }
 
 TEST_CASE("retarget: the paper's settings follow the motion too") {

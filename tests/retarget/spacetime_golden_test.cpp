@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/retarget/spacetime.h"
+#include "rigless/retarget/bounded_spacetime.h"
 #include "support/json.h"
 
 namespace {
@@ -106,7 +106,8 @@ void read(const rigless::json::Value& all, const rigless::json::Value& c, Proble
 }
 
 // 1/2 w'Hw - g'w with everything that H holds, as the case defines it.
-double objective(const Problem<double>& p, const rigless::SpacetimeSolver<double>& solver) {
+template <class Solver>
+double objective(const Problem<double>& p, const Solver& solver) {
   const auto& o = p.options;
   double sum = 0;
   for (std::size_t k = 0; k < p.tracks.size(); ++k) {
@@ -142,18 +143,19 @@ double objective(const Problem<double>& p, const rigless::SpacetimeSolver<double
   return sum;
 }
 
-template <class S>
-double worst_track_error(const rigless::json::Value& c, const rigless::SpacetimeSolver<S>& solver) {
+template <class Solver>
+double worst_track_error(const rigless::json::Value& c, const Solver& solver) {
   double worst = 0;
   for (std::size_t k = 0; k < c["c"].size(); ++k) {
     const auto track = solver.track(static_cast<std::int32_t>(k));
     for (std::size_t f = 0; f < track.size(); ++f)
-      worst = std::max(worst, static_cast<double>((track[f] - c["c"][k][f].vec3<S>()).cwiseAbs().maxCoeff()));
+      worst = std::max(worst, (track[f].template cast<double>() - c["c"][k][f].vec3<double>()).cwiseAbs().maxCoeff());
   }
   return worst;
 }
 
-double worst_weight_error(const rigless::json::Value& c, const rigless::SpacetimeSolver<double>& solver) {
+template <class Solver>
+double worst_weight_error(const rigless::json::Value& c, const Solver& solver) {
   double worst = 0;
   for (std::size_t k = 0; k < c["weights"].size(); ++k) {
     const auto weights = solver.weights(static_cast<std::int32_t>(k));
@@ -191,6 +193,60 @@ TEST_CASE("spacetime: tracks, weights and objective of the reference") {
     ++seen;
   }
   CHECK(seen == 14);
+  CHECK(golden()["cases"].size() == 16);
+}
+
+TEST_CASE("spacetime: bounded weights of the reference") {
+  std::size_t seen = 0;
+  for (const auto& c : golden()["cases"].array()) {
+    if (!c["options"].has("bounds")) continue;
+    CAPTURE(c["name"].string());
+    Problem<double> p;
+    read(golden(), c, p);
+    const double lower = c["options"]["bounds"][0].number(), upper = c["options"]["bounds"][1].number();
+    rigless::BoundedSpacetimeSolver<double> solver;
+    solver.set_bounds(lower, upper);
+    REQUIRE(solver.begin(p.tracks, p.frames, p.constraints, p.options).ok());
+    while (solver.advance(1000)) {
+    }
+    REQUIRE(solver.finish().ok());
+    // One weight of the reference stops 1.4e-5 before a bound at which the objective is lower by 3.5e-9.
+    const bool short_of = c["name"].string() == "bounded + constraints";
+    const double tolerance = (short_of ? 3 : 1) * golden()["tol"]["qp"].number();
+    CHECK(worst_track_error(c, solver) <= tolerance);
+    const double better = c["objective"].number() - objective(p, solver);
+    CHECK(better > (short_of ? 1e-9 : -1e-10));
+    CHECK(better < 1e-8);
+    if (c["reduced_hessian_min_eig"].number() > 1e-6) CHECK(worst_weight_error(c, solver) <= tolerance);
+    for (const double residual : solver.residuals()) CHECK(residual <= 1e-7);
+    double least = 1, most = 0;
+    for (std::size_t k = 0; k < p.tracks.size(); ++k) {
+      for (const double w : solver.weights(static_cast<std::int32_t>(k))) {
+        least = std::min(least, w);
+        most = std::max(most, w);
+      }
+    }
+    CHECK(least >= lower - 1e-7);
+    CHECK(most <= upper + 1e-7);
+    CHECK((least < lower + 1e-6 || most > upper - 1e-6));
+    ++seen;
+  }
+  CHECK(seen == 2);
+}
+
+TEST_CASE("spacetime: bounds that nothing touches change nothing, and cost one system") {
+  Problem<double> p;
+  read(golden(), golden()["cases"][2], p);
+  rigless::SpacetimeSolver<double> free;
+  rigless::BoundedSpacetimeSolver<double> bounded;
+  bounded.set_bounds(-100, 100);
+  REQUIRE(free.begin(p.tracks, p.frames, p.constraints, p.options).ok());
+  REQUIRE(bounded.begin(p.tracks, p.frames, p.constraints, p.options).ok());
+  while (free.advance(100)) {
+  }
+  while (bounded.advance(100)) {
+  }
+  for (std::size_t f = 0; f < free.track(0).size(); ++f) CHECK(free.track(0)[f] == bounded.track(0)[f]);
 }
 
 TEST_CASE("spacetime: float stays near the reference") {

@@ -123,7 +123,7 @@ class PoseCoverage {
     if (known() > 0) {
       Vec3<double> position;
       Mat3<double> compliance;
-      if (!mixture_.eliminate(j, position, compliance, free_.data(), response_.data())) return 0;
+      if (!mixture_.eliminate(j, {}, position, compliance, free_.data(), response_.data())) return 0;
     }
     double sum = known() > 0 ? 0 : 1;  // as far as from a random frame
     for (std::size_t d = 0; d < dimension_; ++d) {

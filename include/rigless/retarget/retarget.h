@@ -53,8 +53,9 @@ struct RetargetInput {
 // back into mesh-local units. The examples' own poses give their own controls as far as smoothness lets them.
 //
 // begin(), then advance() until it returns false, then finish(). Computes in double whatever S is: the normal equations
-// square the condition number, and the time goes into memory and small matrices anyway.
-template <class S>
+// square the condition number, and the time goes into memory and small matrices anyway. With BoundedSpacetimeSolver the
+// weights have bounds.
+template <class S, class Solver = SpacetimeSolver<double>>
 class Retargeter {
  public:
   Retargeter() = default;
@@ -118,6 +119,8 @@ class Retargeter {
     }
     return {};
   }
+
+  Solver& solver() { return solver_; }
 
   // T x N weights of one control; how far each constraint is missed, mesh-local units; which other one it contradicts,
   // or -1.
@@ -213,7 +216,7 @@ class Retargeter {
 
   Inputs inputs_;
   std::size_t frames_ = 0;
-  SpacetimeSolver<double> solver_;
+  Solver solver_;
 };
 
 // The whole of it in one call; see Retargeter. Allocates.

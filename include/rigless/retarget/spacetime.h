@@ -43,6 +43,8 @@ struct TrackInput {
   Span<const S> features;                // T x D
   Span<const S> example_features;        // N x D
   Span<const Vec3<S>> example_controls;  // N
+  Span<const S> stiffness = {};          // T x N further costs of the weights, see WeightCost; usually empty
+  Span<const S> pull = {};
 };
 
 // Solves the spacetime system of thesis Eq 3.29 for C tracks of T frames. The frames of a track are coupled through its
@@ -128,7 +130,8 @@ class SpacetimeSolver {
     if (examples == 0) return Error::no_examples;
     const std::size_t dimension = in.features.size() / frames;
     if (dimension == 0 || in.features.size() != frames * dimension ||
-        in.example_features.size() != examples * dimension)
+        in.example_features.size() != examples * dimension || in.stiffness.size() != in.pull.size() ||
+        (!in.pull.empty() && in.pull.size() != frames * examples))
       return Error::size_mismatch;
     const auto finite = [](S x) { return std::isfinite(x); };
     if (!std::all_of(in.features.begin(), in.features.end(), finite)) return Error::not_finite;
@@ -173,7 +176,10 @@ class SpacetimeSolver {
       system(track_).bind(static_cast<std::int32_t>(frames_), in.example_controls.size(), options);
       elimination_.bind(in.example_features, in.example_controls, options_.weights);
     }
-    if (!system(track_).append(elimination_, &in.features[frame_ * (in.features.size() / frames_)])) {
+    WeightCost<S> cost;
+    const std::size_t first = frame_ * in.example_controls.size();
+    if (!in.stiffness.empty()) cost = {&in.stiffness[first], &in.pull[first]};
+    if (!system(track_).append(elimination_, &in.features[frame_ * (in.features.size() / frames_)], cost)) {
       status_ = {Error::factorization_failed, static_cast<std::int32_t>(frame_)};
       stage_ = Stage::done;
       return;

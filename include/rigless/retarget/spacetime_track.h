@@ -48,9 +48,9 @@ class SpacetimeTrack {
   }
 
   // Takes in the next frame, features j (D). Returns false when its weights are not determined. No allocation.
-  bool append(WeightElimination<S>& weights, const S* j) {
+  bool append(WeightElimination<S>& weights, const S* j, const WeightCost<S>& cost) {
     const std::size_t f = next_;
-    if (!weights.eliminate(j, position_[f], compliance_[f], &free_[f * examples_], &response_[f * examples_]))
+    if (!weights.eliminate(j, cost, position_[f], compliance_[f], &free_[f * examples_], &response_[f * examples_]))
       return false;
     if (has_offset()) {
       append_both(f);

@@ -29,6 +29,13 @@ struct WeightOptions {
   S tikhonov = S(1e-12);
 };
 
+// A further cost 1/2 stiffness w^2 - pull w of every weight of a frame (N of each), or none.
+template <class S>
+struct WeightCost {
+  const S* stiffness = nullptr;
+  const S* pull = nullptr;
+};
+
 // For the features j of one frame, the weights minimise
 //   1/2 |J w - j|^2 + 1/2 mu sum_m w_m^2 |j - j_m|^2 + 1/2 tikhonov |w|^2 + u.(C w),  sum w = 1 (or its soft row)
 // when u pulls at the control: w = free - response u, so the control is C w = position - compliance u.
@@ -60,8 +67,11 @@ class WeightElimination {
 
   // Eliminates the frame with features j (D). free: N weights; response: N x 3. No allocation.
   // Returns false when the weights are not determined.
-  bool eliminate(const S* j, Vec3<S>& position, Mat3<S>& compliance, S* free, Vec3<S>* response) {
+  bool eliminate(const S* j, const WeightCost<S>& cost, Vec3<S>& position, Mat3<S>& compliance, S* free,
+                 Vec3<S>* response) {
+    cost_ = cost;
     measure(j);
+    choose_base();
     if (!factorise()) return false;
     // right_ holds [C' b] and becomes L^-1 [C' b], whose products are symmetric to the last bit.
     solve_lower(system_, right_);
@@ -94,7 +104,18 @@ class WeightElimination {
     });
   }
 
-  S own_cost(std::size_t m) const { return options_.locality * distance_[m] + ridge_; }
+  // Everything passes through the base, so it must not be the stiffest.
+  void choose_base() {
+    if (cost_.stiffness == nullptr) return;
+    const auto softer = [&](std::size_t a, std::size_t b) { return cost_.stiffness[a] < cost_.stiffness[b]; };
+    std::iter_swap(order_.begin(), std::min_element(order_.begin(), order_.begin() + used_, softer));
+  }
+
+  S own_cost(std::size_t m) const {
+    const S own = options_.locality * distance_[m] + ridge_;
+    return cost_.stiffness != nullptr ? own + cost_.stiffness[m] : own;
+  }
+  S pull(std::size_t m) const { return cost_.pull != nullptr ? cost_.pull[m] : S(0); }
 
   // With the sum held at 1, the first example in use is the base, w_base = 1 - sum of the others: only differences of
   // examples are left, and a single example needs no system at all.
@@ -113,8 +134,8 @@ class WeightElimination {
         if (hard()) system_(row, col) += gram_(k, k) - gram_(a, k) - gram_(b, k);
       }
       system_(col, col) += own_cost(m);
-      S target = projection_[a] + shared;
-      if (hard()) target += gram_(k, k) - gram_(a, k) - projection_[k];
+      S target = projection_[a] + shared + pull(m);
+      if (hard()) target += gram_(k, k) - gram_(a, k) - projection_[k] - pull(base);
       right_.row(col).template head<3>() = (controls_[m] - origin).transpose();
       right_(col, 3) = target;
     }
@@ -142,6 +163,7 @@ class WeightElimination {
   Span<const Vec3<S>> controls_;  // N
   Matrix gram_;                   // N x N, J'J
   S ridge_ = 0;
+  WeightCost<S> cost_;
   Eigen::Index used_ = 0;                           // examples in use per frame
   Eigen::Matrix<S, Eigen::Dynamic, 1> projection_;  // N, J'j
   std::vector<S> distance_;                         // N, squared
