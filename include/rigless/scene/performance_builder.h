@@ -40,7 +40,8 @@ template <class S>
 class PerformanceBuilder {
  public:
   // Copies what it needs but the motion, which must live until finish(). Allocates. Errors: no_frames, no_controls,
-  // size_mismatch, index_out_of_range (where: control or constraint), not_finite (where: example or constraint).
+  // size_mismatch, index_out_of_range (where: control or constraint), not_finite (where: example or constraint); then
+  // this must begin again before it goes on.
   Status begin(const PerformanceInput<S>& input) {
     const StagedMotion<S>& motion = *input.motion;
     const std::int32_t joints = motion.clip.joints();
@@ -56,7 +57,13 @@ class PerformanceBuilder {
       add_mirror_images<S>({joint_mirror, input.mirror, input.mirror_normal.normalized()}, input.rest, examples);
     }
     const std::size_t taught = examples.joints.size();
-    const Status started = add_starters<S>(motion.local, joints, input.pairs, input.rest, input.height, {}, examples);
+    motion_ = &motion;
+    controls_ = input.pairs.size();
+    begin_contacts(input);
+    const std::vector<std::uint8_t> stands = labels_of_all(standing_);
+    const Status started =
+        add_starters<S>(motion.local, joints, input.pairs, {input.rest, input.floor, input.height, stands},
+                        static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
     if (!started.ok()) return started;
 
     RetargetInput<S> retarget;
@@ -69,13 +76,10 @@ class PerformanceBuilder {
     options.fps = static_cast<S>(performance_fps);
     options.smoothness = input.settings.smoothness;
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
-    motion_ = &motion;
     settings_ = input.settings;
     constraints_ = input.constraints;
-    controls_ = input.pairs.size();
     travel_scale_ = input.height / std::max(figure_height<S>(motion.local, joints), S(1e-6));
     starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / static_cast<std::size_t>(joints));
-    begin_contacts(input);
     coverage_.begin(motion.local, joints, paired, {examples.joints.data(), taught}, joint_mirror, {});
     return {};
   }
@@ -91,8 +95,8 @@ class PerformanceBuilder {
     p.frames = motion_->clip.frames;
     p.flights = flights_;
     p.yaw = motion_->yaw;
-    p.contacts = labels_of_all(standing_, p.controls.size());
-    p.source_contacts = labels_of_all(source_, p.controls.size());
+    p.contacts = labels_of_all(standing_);
+    p.source_contacts = labels_of_all(source_);
     if (const Status status = stand(p); !status.ok()) return status;
     if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
     measure_constraints(p);
@@ -151,9 +155,9 @@ class PerformanceBuilder {
     return frame * controls_ + static_cast<std::size_t>(standing_.control[foot]);
   }
 
-  std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing, std::size_t size) const {
-    std::vector<std::uint8_t> labels(size, 0);
+  std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing) const {
     const std::size_t feet = standing.control.size();
+    std::vector<std::uint8_t> labels(static_cast<std::size_t>(motion_->clip.frames) * controls_, 0);
     for (std::size_t i = 0; i < standing.labels.size(); ++i)
       labels[i / feet * controls_ + static_cast<std::size_t>(standing.control[i % feet])] = standing.labels[i];
     return labels;
