@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
+#include "rigless/deform/thesis_deformer.h"
 #include "rigless/mesh/measure.h"
 #include "support/alloc_count.h"
 #include "support/cylinder.h"
@@ -24,12 +25,6 @@ double worst(Span<const Vec3<double>> a, const Points& b) {
   for (std::size_t i = 0; i < a.size(); ++i) w = std::max(w, (a[i] - b[i]).cwiseAbs().maxCoeff());
   return w;
 }
-
-// The pose laws of the golden cases share a wide clamp.
-struct LinearLaw {  // thesis Eq 3.12
-  double lambda_v;
-  double operator()(double s) const { return std::min(std::max((s - 1) * lambda_v + 1, 0.1), 10.0); }
-};
 
 template <class Weights>
 Deformer<double, Weights> bind_case(const json::Value& golden, double elastic) {
@@ -68,7 +63,7 @@ void check_run(const json::Value& golden, const json::Value& run) {
   for (const char* lambda : {"0.0", "1.0", "3.0"}) {
     if (!run["pose"].has(lambda)) continue;
     CAPTURE(lambda);
-    cartoon.pose(LinearLaw{std::atof(lambda)});
+    cartoon.pose(LinearLaw<double>{std::atof(lambda)});
     CHECK(worst(cartoon.positions(), run["pose"][lambda].vec3s<double>()) < 1e-7);
     CHECK(worst(cartoon.shape(), run["cartoon_2"].vec3s<double>()) < 1e-7);  // the pose never feeds back
   }

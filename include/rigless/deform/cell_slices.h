@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rigless/deform/cells.h"
+#include "rigless/math/bytes.h"
 #include "rigless/math/rotation_lanes.h"
 
 namespace rigless {
@@ -58,10 +59,7 @@ struct CellSlices {
     }
   }
 
-  std::int64_t bytes() const {
-    const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-    return of(cell) + of(row) + of(first) + of(slot) + of(other) + of(inverse_weight) + of(lane_of) + of(edges);
-  }
+  std::int64_t bytes() const { return bytes_of(cell, row, first, slot, other, inverse_weight, lane_of, edges); }
 };
 
 // Lays the cells out. place_of: vertex -> row. Allocates.

@@ -7,6 +7,7 @@
 #include "rigless/deform/local_step.h"
 #include "rigless/deform/pose_step.h"
 #include "rigless/deform/volume_law.h"
+#include "rigless/math/bytes.h"
 
 namespace rigless {
 
@@ -332,10 +333,9 @@ void Deformer<S, Weights>::show(Span<const Quad> update, Span<Vec3<S>> out) cons
 
 template <class S, class Weights>
 std::int64_t Deformer<S, Weights>::bytes() const {
-  const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-  return system_.bytes() + slices_.bytes() + of(cells_.ring.first) + of(cells_.ring.neighbor) + of(cells_.weight) +
-         of(cells_.rest) + of(cells_.weighted_size) + of(discs_.owner) + of(discs_.member) + of(x_) + of(r_) +
-         of(solved_) + of(shape_) + of(positions_);
+  return system_.bytes() + slices_.bytes() +
+         bytes_of(cells_.ring.first, cells_.ring.neighbor, cells_.weight, cells_.rest, cells_.weighted_size,
+                  discs_.owner, discs_.member, x_, r_, solved_, shape_, positions_);
 }
 
 }  // namespace rigless

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rigless/deform/discs.h"
+#include "rigless/math/bytes.h"
 #include "rigless/math/supernodal_ldlt.h"
 
 namespace rigless {
@@ -41,10 +42,7 @@ class HardRows {
   const std::vector<std::int32_t>& place() const { return ldlt_.place(); }
   const std::vector<std::int32_t>& vertex_at() const { return ldlt_.vertex_at(); }
 
-  std::int64_t bytes() const {
-    const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-    return ldlt_.bytes() + of(diagonal_) + of(coupling_) + of(changed_);
-  }
+  std::int64_t bytes() const { return ldlt_.bytes() + bytes_of(diagonal_, coupling_, changed_); }
 
  private:
   // Rewrites the rows of vertices that became held or free, and of their neighbours.

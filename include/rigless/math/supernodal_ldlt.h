@@ -3,12 +3,13 @@
 // supernodes above them.
 #pragma once
 
-#include <memory>
 #include <vector>
 
+#include "rigless/math/bytes.h"
 #include "rigless/math/simd.h"
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
+#include "rigless/math/supernode_factor.h"
 #include "rigless/math/supernode_kernels.h"
 #include "rigless/math/supernode_tree.h"
 
@@ -80,8 +81,9 @@ void SupernodalLdlt<S>::analyze(Span<const std::int32_t> first, Span<const std::
   for (const auto& link : tree_.links) {
     const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
     const auto q = static_cast<std::size_t>(link.end - link.begin);
-    widest = std::max(widest, q * ColumnBlock::widest);
-    largest = std::max(largest, q * static_cast<std::size_t>(d.row_count - link.begin));
+    const std::size_t stride = detail::padded<simd::Lanes<S>, S>(q);
+    widest = std::max(widest, stride * static_cast<std::size_t>(d.width));
+    largest = std::max(largest, stride * (static_cast<std::size_t>(d.row_count - link.begin) + 3));
   }
   scaled_.assign(widest, S(0));
   update_.assign(largest, S(0));
@@ -156,35 +158,24 @@ template <class S>
 void SupernodalLdlt<S>::subtract_descendants(std::int32_t s) {
   const Supernode& node = tree_.nodes[static_cast<std::size_t>(s)];
   const auto w = static_cast<std::size_t>(node.width);
-  S* panel = panel_.data();
   for (std::int32_t l = node.links; l < node.links + node.link_count; ++l) {
     const SupernodeLink& link = tree_.links[static_cast<std::size_t>(l)];
     const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
     const auto q = static_cast<std::size_t>(link.end - link.begin);
     const auto p = static_cast<std::size_t>(d.row_count - link.begin);
-    const std::int32_t* rows = tree_.rows.data() + d.rows + link.begin;
-    S* U = update_.data();
-    std::fill(U, U + p * q, S(0));
-    for (std::int32_t k0 = 0; k0 < d.width; k0 += ColumnBlock::widest) {
-      const ColumnBlock& block = tree_.blocks[static_cast<std::size_t>(d.blocks + k0 / ColumnBlock::widest)];
-      const auto n = static_cast<std::size_t>(block.width);
-      const S* square = values_.data() + block.values;
-      const S* L = square + n * static_cast<std::size_t>(d.width - k0 + link.begin);
-      S* B = scaled_.data();
-      for (std::size_t k = 0; k < n; ++k) {
-        const S dk = S(1) / square[k * n + k];
-        for (std::size_t c = 0; c < q; ++c) B[k * q + c] = dk * L[c * n + k];
-      }
-      for (std::size_t r = 0; r < p; ++r) {
-        for (std::size_t k = 0; k < n; ++k) {
-          const S t = L[r * n + k];
-          for (std::size_t c = 0; c < q; ++c) U[r * q + c] += t * B[k * q + c];
-        }
-      }
+    const detail::FactorRows<S> L = {values_.data(), &tree_.blocks[static_cast<std::size_t>(d.blocks)],
+                                     static_cast<std::size_t>(d.width), static_cast<std::size_t>(link.begin)};
+    if (q <= 4) {
+      detail::outer_product<simd::Quad<S>>(L, p, q, scaled_.data(), update_.data());
+    } else {
+      detail::outer_product<simd::Lanes<S>>(L, p, q, scaled_.data(), update_.data());
     }
+    const std::size_t stride = detail::padded<simd::Lanes<S>, S>(q);
+    const std::int32_t* rows = tree_.rows.data() + d.rows + link.begin;
     for (std::size_t r = 0; r < p; ++r) {
-      S* target = panel + static_cast<std::size_t>(local_row_[static_cast<std::size_t>(rows[r])]) * w;
-      for (std::size_t c = 0; c < q && c <= r; ++c) target[rows[c] - node.first] -= U[r * q + c];
+      S* target = panel_.data() + static_cast<std::size_t>(local_row_[static_cast<std::size_t>(rows[r])]) * w;
+      const S* update = update_.data() + r * stride;
+      for (std::size_t c = 0; c < q && c <= r; ++c) target[rows[c] - node.first] -= update[c];
     }
   }
 }
@@ -209,15 +200,7 @@ std::int32_t SupernodalLdlt<S>::eliminate(std::int32_t s) {
       panel[i * w + j] = t * inverse;
     }
   }
-  for (std::size_t i = w; i < total; ++i) {
-    S* row = panel + i * w;
-    for (std::size_t j = 0; j < w; ++j) {
-      const S t = row[j];
-      const S* transposed = panel + j * w;
-      row[j] = t * transposed[j];
-      for (std::size_t k = j + 1; k < w; ++k) row[k] -= t * transposed[k];
-    }
-  }
+  for (std::size_t i = w; i < total; ++i) detail::eliminate_row(panel, w, panel + i * w);
   return -1;
 }
 
@@ -256,10 +239,8 @@ void SupernodalLdlt<S>::solve(Quad* x) const {
 
 template <class S>
 std::int64_t SupernodalLdlt<S>::bytes() const {
-  const auto of = [](const auto& v) { return static_cast<std::int64_t>(v.capacity() * sizeof(v[0])); };
-  return of(first_) + of(neighbor_) + of(values_) + of(panel_) + of(row_at_) + of(local_row_) + of(scaled_) +
-         of(update_) + of(dirty_) + of(tree_.place) + of(tree_.vertex_at) + of(tree_.node_of) + of(tree_.nodes) +
-         of(tree_.blocks) + of(tree_.rows) + of(tree_.links);
+  return bytes_of(first_, neighbor_, values_, panel_, row_at_, local_row_, scaled_, update_, dirty_, tree_.place,
+                  tree_.vertex_at, tree_.node_of, tree_.nodes, tree_.blocks, tree_.rows, tree_.links);
 }
 
 }  // namespace rigless
