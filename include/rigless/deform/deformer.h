@@ -18,6 +18,14 @@ struct DeformerOptions {
                                 // the shape of a head or of armour; 1000 makes its seam ugly.
 };
 
+// What an iteration goes on from: a surface and the rotations that were last fitted to it.
+template <class S>
+struct ShapeState {
+  std::vector<simd::Quad<S>> x;              // V + 1, in elimination order
+  std::vector<QuaternionLanes<S>> rotation;  // of cells
+  std::vector<Mat3<S>> disc_rotation;        // C
+};
+
 // Two states, after Fig 3.4 of the thesis. step() iterates the scaled shape state; pose() derives the surface that is
 // shown from it, and never feeds back. A frame depends on its targets and on the shape surface it starts from, only.
 template <class S, class Weights = CotangentWeights>
@@ -51,6 +59,11 @@ class Deformer {
 
   // Starts the next step() from this surface (V) with unturned discs. No allocation.
   void set_shape(Span<const Vec3<S>> surface);
+
+  // Keeps the present shape, and goes on from one that was kept under the same handles, as if nothing had happened
+  // since; shape() follows with the next step(). keep() allocates the first time, resume() never.
+  void keep(ShapeState<S>& state) const;
+  void resume(const ShapeState<S>& state);
 
   // Local-global iterations of the scaled shape state. Each lowers energy() or keeps it. No allocation.
   // Source: thesis Eq 3.2-3.7, hard rows as in Eq 2.8.
@@ -168,6 +181,24 @@ void Deformer<S, Weights>::set_shape(Span<const Vec3<S>> surface) {
   std::copy(surface.begin(), surface.end(), positions_.begin());
   unturn_discs(Mat3<S>::Identity());
   slices_.set_rotations(Mat3<S>::Identity());
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::keep(ShapeState<S>& state) const {
+  state.x.assign(x_.begin(), x_.end());
+  state.rotation.resize(slices_.size());
+  for (std::size_t s = 0; s < slices_.size(); ++s) state.rotation[s] = slices_.cell[s].q;
+  state.disc_rotation.assign(disc_rotation_.begin(), disc_rotation_.end());
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::resume(const ShapeState<S>& state) {
+  RIGLESS_ASSERT(state.x.size() == x_.size() && state.disc_rotation.size() == discs_.size());
+  std::copy(state.x.begin(), state.x.end(), x_.begin());
+  for (std::size_t s = 0; s < slices_.size(); ++s) slices_.cell[s].q = state.rotation[s];
+  for (std::size_t c = 0; c < discs_.size(); ++c) {
+    if (!turned_[c]) disc_rotation_[c] = state.disc_rotation[c];
+  }
 }
 
 template <class S, class Weights>

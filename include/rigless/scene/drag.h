@@ -23,13 +23,14 @@ void deform_from_rest(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volu
   deformer.pose(volume);
 }
 
-// A row of drags. Keeps the shape between them, so that others may use the deformer meanwhile.
+// A row of drags. Keeps the shape between them, with its rotations, so that others may use the deformer meanwhile: a
+// drag depends on its targets and the drags since the last start from rest, only.
 template <class S>
 class Drag {
  public:
   // Begins at rest. Call again after the deformer was bound or got other handles. Allocates.
   void bind(const Deformer<S>& deformer) {
-    shape_.resize(static_cast<std::size_t>(deformer.vertices()));
+    deformer.keep(shape_);
     at_rest_ = true;
   }
 
@@ -38,18 +39,17 @@ class Drag {
     if (restart || at_rest_) {
       deform_from_rest(deformer, targets, volume);
     } else {
-      deformer.set_shape(shape_);
+      deformer.resume(shape_);
       deformer.set_targets(targets);
       deformer.step(iterations_per_drag);
       deformer.pose(volume);
     }
-    const Span<const Vec3<S>> shape = deformer.shape();
-    std::copy(shape.begin(), shape.end(), shape_.begin());
+    deformer.keep(shape_);
     at_rest_ = false;
   }
 
  private:
-  std::vector<Vec3<S>> shape_;  // V
+  ShapeState<S> shape_;
   bool at_rest_ = true;
 };
 
