@@ -1,5 +1,6 @@
 // Small dense systems by plain loops: what is left of a frame once its structure is used. Eigen's decompositions bring
-// its blocked kernels: 60 kB of wasm for matrices of a dozen rows.
+// its blocked kernels (60 kB of wasm for matrices of a dozen rows), and its element access costs ten times the work
+// where the compiler optimises for size. So each kernel runs over plain columns.
 #pragma once
 
 #include <cmath>
@@ -10,92 +11,126 @@
 
 namespace rigless {
 
+// Column-major arrays of n rows without gaps.
+namespace columns {
+
+template <class S>
+bool cholesky(S* a, std::int32_t n) {
+  for (std::int32_t j = 0; j < n; ++j) {
+    S* const own = a + j * n;
+    for (std::int32_t k = 0; k < j; ++k) {
+      const S* const before = a + k * n;
+      const S factor = before[j];
+      for (std::int32_t i = j; i < n; ++i) own[i] -= before[i] * factor;
+    }
+    if (!(own[j] > S(0))) return false;
+    const S root = std::sqrt(own[j]);
+    for (std::int32_t i = j; i < n; ++i) own[i] /= root;
+  }
+  return true;
+}
+
+template <class S>
+void lower(const S* a, std::int32_t n, S* b, std::int32_t count) {
+  for (const S* const end = b + n * count; b != end; b += n) {
+    for (std::int32_t k = 0; k < n; ++k) {
+      const S* const column = a + k * n;
+      const S x = b[k] /= column[k];
+      for (std::int32_t i = k + 1; i < n; ++i) b[i] -= column[i] * x;
+    }
+  }
+}
+
+template <class S>
+void lower_transposed(const S* a, std::int32_t n, S* b, std::int32_t count) {
+  for (const S* const end = b + n * count; b != end; b += n) {
+    for (std::int32_t i = n; i-- > 0;) {
+      const S* const column = a + i * n;
+      S sum = b[i];
+      for (std::int32_t k = i + 1; k < n; ++k) sum -= column[k] * b[k];
+      b[i] = sum / column[i];
+    }
+  }
+}
+
+template <class S>
+void subtract(const S* a, std::int32_t n, std::int32_t inner, const S* b, S* c, std::int32_t count) {
+  for (std::int32_t j = 0; j < count; ++j, b += inner, c += n) {
+    for (std::int32_t k = 0; k < inner; ++k) {
+      const S x = b[k];
+      for (std::int32_t i = 0; i < n; ++i) c[i] -= a[k * n + i] * x;
+    }
+  }
+}
+
+template <class S>
+void lu(S* a, std::int32_t n, std::int32_t* exchange) {
+  for (std::int32_t j = 0; j < n; ++j) {
+    S* const own = a + j * n;
+    std::int32_t pivot = j;
+    for (std::int32_t i = j + 1; i < n; ++i)
+      if (std::abs(own[i]) > std::abs(own[pivot])) pivot = i;
+    exchange[j] = pivot;
+    for (std::int32_t k = 0; k < n && pivot != j; ++k) std::swap(a[k * n + j], a[k * n + pivot]);
+    for (std::int32_t i = j + 1; i < n; ++i) own[i] /= own[j];
+    for (std::int32_t k = j + 1; k < n; ++k) {
+      S* const other = a + k * n;
+      for (std::int32_t i = j + 1; i < n; ++i) other[i] -= own[i] * other[j];
+    }
+  }
+}
+
+template <class S>
+void lu_solve(const S* a, std::int32_t n, const std::int32_t* exchange, S* b, std::int32_t count) {
+  for (const S* const end = b + n * count; b != end; b += n) {
+    for (std::int32_t i = 0; i < n; ++i) std::swap(b[i], b[exchange[i]]);
+    for (std::int32_t k = 0; k < n; ++k)
+      for (std::int32_t i = k + 1; i < n; ++i) b[i] -= a[k * n + i] * b[k];
+    for (std::int32_t k = n; k-- > 0;) {
+      b[k] /= a[k * n + k];
+      for (std::int32_t i = 0; i < k; ++i) b[i] -= a[k * n + i] * b[k];
+    }
+  }
+}
+
+}  // namespace columns
+
 // Cholesky factor of a positive definite matrix in its own lower triangle. Returns false when it is not positive
 // definite. No allocation.
 template <class Matrix>
 bool cholesky_in_place(Matrix& A) {
-  using S = typename Matrix::Scalar;
-  for (Eigen::Index j = 0; j < A.cols(); ++j) {
-    for (Eigen::Index i = j; i < A.rows(); ++i) {
-      S sum = A(i, j);
-      for (Eigen::Index k = 0; k < j; ++k) sum -= A(i, k) * A(j, k);
-      if (i > j) {
-        A(i, j) = sum / A(j, j);
-      } else if (sum > S(0)) {
-        A(j, j) = std::sqrt(sum);
-      } else {
-        return false;
-      }
-    }
-  }
-  return true;
+  return columns::cholesky(A.data(), static_cast<std::int32_t>(A.rows()));
 }
 
 // Columns of B become L^-1 B, and L^-T B, with L the lower triangle of A. No allocation.
 template <class Matrix, class Right>
 void solve_lower(const Matrix& A, Right& B) {
-  for (Eigen::Index c = 0; c < B.cols(); ++c) {
-    for (Eigen::Index i = 0; i < A.rows(); ++i) {
-      typename Matrix::Scalar sum = B(i, c);
-      for (Eigen::Index k = 0; k < i; ++k) sum -= A(i, k) * B(k, c);
-      B(i, c) = sum / A(i, i);
-    }
-  }
+  columns::lower(A.data(), static_cast<std::int32_t>(A.rows()), B.data(), static_cast<std::int32_t>(B.cols()));
 }
 template <class Matrix, class Right>
 void solve_lower_transposed(const Matrix& A, Right& B) {
-  for (Eigen::Index c = 0; c < B.cols(); ++c) {
-    for (Eigen::Index i = A.rows(); i-- > 0;) {
-      typename Matrix::Scalar sum = B(i, c);
-      for (Eigen::Index k = i + 1; k < A.rows(); ++k) sum -= A(k, i) * B(k, c);
-      B(i, c) = sum / A(i, i);
-    }
-  }
+  columns::lower_transposed(A.data(), static_cast<std::int32_t>(A.rows()), B.data(),
+                            static_cast<std::int32_t>(B.cols()));
 }
 
 // C -= A B. No allocation.
 template <class A, class B, class C>
 void subtract_product(const A& a, const B& b, C& c) {
-  for (Eigen::Index j = 0; j < c.cols(); ++j) {
-    for (Eigen::Index i = 0; i < c.rows(); ++i) {
-      for (Eigen::Index k = 0; k < a.cols(); ++k) c(i, j) -= a(i, k) * b(k, j);
-    }
-  }
+  columns::subtract(a.data(), static_cast<std::int32_t>(a.rows()), static_cast<std::int32_t>(a.cols()), b.data(),
+                    c.data(), static_cast<std::int32_t>(c.cols()));
 }
 
 // LU factors of a square matrix in its own place, rows exchanged; `exchange` takes one index per row. No allocation.
 template <class Matrix>
 void lu_in_place(Matrix& A, std::int32_t* exchange) {
-  using std::abs;
-  const Eigen::Index n = A.rows();
-  for (Eigen::Index j = 0; j < n; ++j) {
-    Eigen::Index pivot = j;
-    for (Eigen::Index i = j + 1; i < n; ++i) {
-      if (abs(A(i, j)) > abs(A(pivot, j))) pivot = i;
-    }
-    exchange[j] = static_cast<std::int32_t>(pivot);
-    for (Eigen::Index k = 0; k < n && pivot != j; ++k) std::swap(A(j, k), A(pivot, k));
-    for (Eigen::Index i = j + 1; i < n; ++i) {
-      A(i, j) /= A(j, j);
-      for (Eigen::Index k = j + 1; k < n; ++k) A(i, k) -= A(i, j) * A(j, k);
-    }
-  }
+  columns::lu(A.data(), static_cast<std::int32_t>(A.rows()), exchange);
 }
 
 // Columns of B become A^-1 B, from the factors. No allocation.
 template <class Matrix, class Right>
 void solve_lu(const Matrix& factors, const std::int32_t* exchange, Right& B) {
-  const Eigen::Index n = factors.rows();
-  for (Eigen::Index c = 0; c < B.cols(); ++c) {
-    for (Eigen::Index i = 0; i < n; ++i) std::swap(B(i, c), B(exchange[i], c));
-    for (Eigen::Index i = 1; i < n; ++i) {
-      for (Eigen::Index k = 0; k < i; ++k) B(i, c) -= factors(i, k) * B(k, c);
-    }
-    for (Eigen::Index i = n; i-- > 0;) {
-      for (Eigen::Index k = i + 1; k < n; ++k) B(i, c) -= factors(i, k) * B(k, c);
-      B(i, c) /= factors(i, i);
-    }
-  }
+  columns::lu_solve(factors.data(), static_cast<std::int32_t>(factors.rows()), exchange, B.data(),
+                    static_cast<std::int32_t>(B.cols()));
 }
 
 }  // namespace rigless

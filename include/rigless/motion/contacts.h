@@ -217,7 +217,9 @@ std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S so
 
 inline std::vector<Flight> tidy_flights(Span<const Flight> flights, std::int32_t frames) {
   std::vector<Flight> sorted(flights.begin(), flights.end()), tidy;
-  std::sort(sorted.begin(), sorted.end(), [](const Flight& a, const Flight& b) { return a.take_off < b.take_off; });
+  for (std::size_t i = 1; i < sorted.size(); ++i)  // few: std::sort would bring a kilobyte of wasm
+    for (std::size_t k = i; k > 0 && sorted[k].take_off < sorted[k - 1].take_off; --k)
+      std::swap(sorted[k], sorted[k - 1]);
   for (const Flight& flight : sorted) {
     const std::int32_t first = std::max(flight.take_off, tidy.empty() ? 0 : tidy.back().landing);
     const std::int32_t last = std::min(flight.landing, frames - 1);

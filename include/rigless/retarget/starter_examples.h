@@ -170,8 +170,8 @@ class StarterPoses {
     const S above = std::max(S(0), rest.y() - model_.floor + median_low() * size_);
     const Vec3<S> move(roll * above, options_.bob * size_ * (median_low() - low) - pitch * rest.z() - roll * rest.x(),
                        pitch * above);
-    const S most = options_.most * model_.height, length = move.norm();
-    return length > S(0) ? (rest + most * std::tanh(length / most) / length * move).eval() : rest;
+    const S most = options_.most * model_.height;
+    return rest + most / std::sqrt(most * most + move.squaredNorm()) * move;
   }
 
   Span<const Vec3<S>> clip_;  // T x J
@@ -222,7 +222,7 @@ Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<con
       const Vec3<S>* example = &examples.joints[n * joints];
       const S distance = pose_distance_squared<S>(example, pose, paired, spreads);
       near = near || distance < options.nearest * options.nearest;
-      const S alike = std::exp(-distance / S(2));
+      const S alike = S(1) / (S(1) + distance * distance);
       for (std::size_t c = 0; c < controls; ++c) {
         const Vec3<S>& shown = examples.controls[n * controls + c];
         if (!shown.allFinite()) continue;

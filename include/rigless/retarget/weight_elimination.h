@@ -42,8 +42,6 @@ struct WeightCost {
 template <class S>
 class WeightElimination {
  public:
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-
   // The examples of one track: N x D features and N control positions, which must outlive this object's use.
   // Allocates.
   void bind(Span<const S> features, Span<const Vec3<S>> controls, const WeightOptions<S>& options) {
@@ -51,18 +49,24 @@ class WeightElimination {
     options_ = options;
     features_ = features;
     controls_ = controls;
-    const auto count = static_cast<Eigen::Index>(controls.size());
-    const Eigen::Map<const Matrix> columns(features.data(), static_cast<Eigen::Index>(dimension()), count);
-    gram_ = columns.transpose().lazyProduct(columns);
-    const S scale = gram_.trace() / static_cast<S>(count);
-    ridge_ = std::max(options.tikhonov, S(8) * std::numeric_limits<S>::epsilon() * std::max(scale, S(1e-3)));
+    const std::size_t count = controls.size(), size = features.size() / count;
+    dimension_ = size;
+    gram_.resize(count * count);
+    S trace = 0;
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = 0; b <= a; ++b)
+        gram_[a * count + b] = gram_[b * count + a] = dot(&features[a * size], &features[b * size]);
+      trace += gram_[a * count + a];
+    }
+    ridge_ = std::max(options.tikhonov,
+                      S(8) * std::numeric_limits<S>::epsilon() * std::max(trace / static_cast<S>(count), S(1e-3)));
     projection_.resize(count);
-    distance_.resize(controls.size());
-    order_.resize(controls.size());
-    used_ = options.nearest > 0 ? std::min(count, static_cast<Eigen::Index>(options.nearest)) : count;
-    const Eigen::Index unknowns = hard() ? used_ - 1 : used_;
-    system_.resize(unknowns, unknowns);
-    right_.resize(unknowns, 4);
+    distance_.resize(count);
+    order_.resize(count);
+    used_ = options.nearest > 0 ? std::min(count, static_cast<std::size_t>(options.nearest)) : count;
+    unknowns_ = hard() ? used_ - 1 : used_;
+    system_.resize(unknowns_ * unknowns_);
+    right_.resize(unknowns_ * 4);
   }
 
   // Eliminates the frame with features j (D). free: N weights; response: N x 3. No allocation.
@@ -72,43 +76,69 @@ class WeightElimination {
     cost_ = cost;
     measure(j);
     choose_base();
-    if (!factorise()) return false;
+    set_up();
+    const auto n = static_cast<std::int32_t>(unknowns_);
+    if (!columns::cholesky(system_.data(), n)) return false;
     // right_ holds [C' b] and becomes L^-1 [C' b], whose products are symmetric to the last bit.
-    solve_lower(system_, right_);
-    const auto forces = right_.template leftCols<3>();
-    position = base_control() + forces.transpose().lazyProduct(right_.col(3));
-    compliance = forces.transpose().lazyProduct(forces);
-    solve_lower_transposed(system_, right_);
+    columns::lower(system_.data(), n, right_.data(), 4);
+    for (int a = 0; a < 3; ++a) {
+      position[a] = (hard() ? controls_[order_[0]][a] : S(0)) + product(a, 3);
+      for (int b = 0; b <= a; ++b) compliance(a, b) = compliance(b, a) = product(a, b);
+    }
+    columns::lower_transposed(system_.data(), n, right_.data(), 4);
     write_weights(free, response);
     return true;
   }
 
  private:
   bool hard() const { return options_.soft_affine == S(0); }
-  std::size_t dimension() const { return features_.size() / controls_.size(); }
-  Vec3<S> base_control() const { return hard() ? controls_[order_[0]] : Vec3<S>::Zero().eval(); }
+
+  S dot(const S* a, const S* b) const {
+    S sum = 0;
+    for (std::size_t d = 0; d < dimension_; ++d) sum += a[d] * b[d];
+    return sum;
+  }
+
+  // Of two columns of the right side.
+  S product(int a, int b) const {
+    const S* const x = right_.data() + static_cast<std::size_t>(a) * unknowns_;
+    const S* const y = right_.data() + static_cast<std::size_t>(b) * unknowns_;
+    S sum = 0;
+    for (std::size_t i = 0; i < unknowns_; ++i) sum += x[i] * y[i];
+    return sum;
+  }
 
   // Distances from j to the examples, J'j, and the examples in use: all by index, or the nearest, nearest first.
   void measure(const S* j) {
-    const auto size = static_cast<Eigen::Index>(dimension());
-    const Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, 1>> frame(j, size);
-    for (std::size_t m = 0; m < controls_.size(); ++m) {
-      const Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, 1>> example(features_.data() + m * dimension(), size);
-      projection_[static_cast<Eigen::Index>(m)] = example.dot(frame);
-      distance_[m] = (example - frame).squaredNorm();
+    const std::size_t count = controls_.size();
+    for (std::size_t m = 0; m < count; ++m) {
+      const S* const example = features_.data() + m * dimension_;
+      S sum = 0, along = 0;
+      for (std::size_t d = 0; d < dimension_; ++d) {
+        const S away = example[d] - j[d];
+        along += example[d] * j[d];
+        sum += away * away;
+      }
+      projection_[m] = along;
+      distance_[m] = sum;
       order_[m] = m;
     }
-    if (used_ == static_cast<Eigen::Index>(controls_.size())) return;
-    std::partial_sort(order_.begin(), order_.begin() + used_, order_.end(), [&](std::size_t a, std::size_t b) {
-      return distance_[a] < distance_[b] || (distance_[a] == distance_[b] && a < b);
-    });
+    if (used_ == count) return;
+    for (std::size_t k = 0; k < used_; ++k) {
+      std::size_t best = k;
+      for (std::size_t m = k + 1; m < count; ++m) {
+        const std::size_t a = order_[m], b = order_[best];
+        if (distance_[a] < distance_[b] || (distance_[a] == distance_[b] && a < b)) best = m;
+      }
+      std::swap(order_[k], order_[best]);
+    }
   }
 
   // Everything passes through the base, so it must not be the stiffest.
   void choose_base() {
     if (cost_.stiffness == nullptr) return;
-    const auto softer = [&](std::size_t a, std::size_t b) { return cost_.stiffness[a] < cost_.stiffness[b]; };
-    std::iter_swap(order_.begin(), std::min_element(order_.begin(), order_.begin() + used_, softer));
+    for (std::size_t k = 1; k < used_; ++k)
+      if (cost_.stiffness[order_[k]] < cost_.stiffness[order_[0]]) std::swap(order_[k], order_[0]);
   }
 
   S own_cost(std::size_t m) const {
@@ -119,57 +149,59 @@ class WeightElimination {
 
   // With the sum held at 1, the first example in use is the base, w_base = 1 - sum of the others: only differences of
   // examples are left, and a single example needs no system at all.
-  bool factorise() {
-    const Eigen::Index first = hard() ? 1 : 0;
-    const std::size_t base = order_[0];
-    const auto k = static_cast<Eigen::Index>(base);
+  void set_up() {
+    const std::size_t count = controls_.size(), first = hard() ? 1 : 0, base = order_[0];
+    const S* const base_gram = &gram_[base * count];
     const S shared = hard() ? own_cost(base) : options_.soft_affine * options_.soft_affine;
-    const Vec3<S> origin = base_control();
-    for (Eigen::Index col = 0; col < system_.cols(); ++col) {
-      const std::size_t m = order_[static_cast<std::size_t>(col + first)];
-      const auto a = static_cast<Eigen::Index>(m);
-      for (Eigen::Index row = col; row < system_.rows(); ++row) {
-        const auto b = static_cast<Eigen::Index>(order_[static_cast<std::size_t>(row + first)]);
-        system_(row, col) = gram_(a, b) + shared;
-        if (hard()) system_(row, col) += gram_(k, k) - gram_(a, k) - gram_(b, k);
+    for (std::size_t col = 0; col < unknowns_; ++col) {
+      const std::size_t a = order_[col + first];
+      S* const column = system_.data() + col * unknowns_;
+      for (std::size_t row = col; row < unknowns_; ++row) {
+        const std::size_t b = order_[row + first];
+        column[row] = gram_[a * count + b] + shared;
+        if (hard()) column[row] += base_gram[base] - base_gram[a] - base_gram[b];
       }
-      system_(col, col) += own_cost(m);
-      S target = projection_[a] + shared + pull(m);
-      if (hard()) target += gram_(k, k) - gram_(a, k) - projection_[k] - pull(base);
-      right_.row(col).template head<3>() = (controls_[m] - origin).transpose();
-      right_(col, 3) = target;
+      column[col] += own_cost(a);
+      S target = projection_[a] + shared + pull(a);
+      if (hard()) target += base_gram[base] - base_gram[a] - projection_[base] - pull(base);
+      for (int axis = 0; axis < 3; ++axis)
+        right_[static_cast<std::size_t>(axis) * unknowns_ + col] =
+            controls_[a][axis] - (hard() ? controls_[base][axis] : S(0));
+      right_[3 * unknowns_ + col] = target;
     }
-    if (system_.size() == 0) return true;
-    return cholesky_in_place(system_);
   }
 
   void write_weights(S* free, Vec3<S>* response) const {
-    std::fill(free, free + controls_.size(), S(0));
-    std::fill(response, response + controls_.size(), Vec3<S>::Zero());
-    const std::size_t first = hard() ? 1 : 0;
-    if (hard()) free[order_[0]] = 1;
-    for (Eigen::Index row = 0; row < right_.rows(); ++row) {
-      const std::size_t m = order_[static_cast<std::size_t>(row) + first];
-      free[m] = right_(row, 3);
-      response[m] = right_.row(row).template head<3>().transpose();
-      if (!hard()) continue;
-      free[order_[0]] -= free[m];
-      response[order_[0]] -= response[m];
+    const std::size_t first = hard() ? 1 : 0, base = order_[0];
+    for (std::size_t m = 0; m < controls_.size(); ++m) {
+      free[m] = 0;
+      response[m] = Vec3<S>::Zero();
+    }
+    if (hard()) free[base] = 1;
+    for (std::size_t row = 0; row < unknowns_; ++row) {
+      const std::size_t m = order_[row + first];
+      free[m] = right_[3 * unknowns_ + row];
+      if (hard()) free[base] -= free[m];
+      for (int axis = 0; axis < 3; ++axis) {
+        response[m][axis] = right_[static_cast<std::size_t>(axis) * unknowns_ + row];
+        if (hard()) response[base][axis] -= response[m][axis];
+      }
     }
   }
 
   WeightOptions<S> options_;
   Span<const S> features_;        // N x D
   Span<const Vec3<S>> controls_;  // N
-  Matrix gram_;                   // N x N, J'J
+  std::size_t dimension_ = 0;     // D
+  std::vector<S> gram_;           // N x N, J'J
   S ridge_ = 0;
   WeightCost<S> cost_;
-  Eigen::Index used_ = 0;                           // examples in use per frame
-  Eigen::Matrix<S, Eigen::Dynamic, 1> projection_;  // N, J'j
-  std::vector<S> distance_;                         // N, squared
-  std::vector<std::size_t> order_;                  // N, those in use first
-  Matrix system_;                                   // its lower triangle; becomes the Cholesky factor
-  Eigen::Matrix<S, Eigen::Dynamic, 4> right_;
+  std::size_t used_ = 0, unknowns_ = 0;  // examples in use per frame; weights that are open
+  std::vector<S> projection_;            // N, J'j
+  std::vector<S> distance_;              // N, squared
+  std::vector<std::size_t> order_;       // N, those in use first
+  std::vector<S> system_;                // its lower triangle; becomes the Cholesky factor
+  std::vector<S> right_;                 // four columns
 };
 
 }  // namespace rigless
