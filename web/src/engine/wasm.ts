@@ -6,7 +6,7 @@ export type PackedStatus = number;
 /** Index and generation; 0 is none. */
 export type Handle = number;
 
-/** wasm/surface.cpp and wasm/motion.cpp say what each one does. */
+/** wasm/surface.cpp, motion.cpp and performance.cpp say what each one does. */
 export interface RiglessExports {
   memory: WebAssembly.Memory;
   _initialize(): void;

@@ -1,0 +1,180 @@
+// Performances as flat C functions over integer handles. No logic of its own: it turns memory into spans, double into
+// float32, and a Status into one number. Double inside. Built for speed as far as that costs no size.
+
+#include <algorithm>
+
+#include "exports.h"
+#include "motions.h"
+#include "rigless/scene/performance_builder.h"
+
+using rigless::Span;
+using rigless::Status;
+using rigless_wasm::HandleTable;
+using rigless_wasm::motions;
+using rigless_wasm::ObjectHandle;
+using rigless_wasm::pack;
+using rigless_wasm::view;
+
+namespace {
+
+using Vec3d = rigless::Vec3<double>;
+
+// A performance in the making, then made; first what the user asks of it.
+struct Play {
+  rigless::Constraints<double> constraints;
+  std::vector<rigless::ContactEdit> contacts;
+  std::vector<rigless::Flight> flights;
+  bool own_flights = false;
+  std::vector<std::int32_t> mirror;
+  Vec3d mirror_normal = Vec3d::UnitX();
+  rigless::PerformanceBuilder<double> builder;
+  rigless::Performance<float> performance;
+  bool made = false;
+};
+
+HandleTable<Play> plays;
+
+constexpr std::int32_t slice_frames = 64;  // of one control: well under a millisecond
+
+std::vector<Vec3d> widen(const float* numbers, std::int32_t count) {
+  std::vector<Vec3d> out;
+  for (const rigless::Vec3<float>& p : view<rigless::Vec3<float>>(numbers, count)) out.push_back(p.cast<double>());
+  return out;
+}
+
+}  // namespace
+
+RIGLESS_EXPORT ObjectHandle performance_new() { return plays.add(); }
+
+RIGLESS_EXPORT void performance_delete(ObjectHandle performance) { plays.remove(performance); }
+
+// What the user asks of a performance, before performance_begin(). The control is at x, y, z in that frame on the axes
+// of the mask (bit k for axis k)
+RIGLESS_EXPORT void performance_place(ObjectHandle performance, std::int32_t control, std::int32_t frame,
+                                      std::int32_t axes, double x, double y, double z) {
+  const rigless::AxisMask mask = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
+  plays[performance].constraints.positions.push_back({control, frame, {x, y, z}, mask});
+}
+
+// or does not move from the frame before.
+RIGLESS_EXPORT void performance_still(ObjectHandle performance, std::int32_t control, std::int32_t frame) {
+  plays[performance].constraints.velocities.push_back({control, frame, Vec3d::Zero(), {true, true, true}});
+}
+
+// The control stands in [begin, end), and in no other run of the motion.
+RIGLESS_EXPORT void performance_stand(ObjectHandle performance, std::int32_t control, std::int32_t begin,
+                                      std::int32_t end) {
+  plays[performance].contacts.push_back({control, {begin, end}});
+}
+
+// The flights are these, pairs of frames, instead of the motion's.
+RIGLESS_EXPORT void performance_fly(ObjectHandle performance, const std::int32_t* flights, std::int32_t count) {
+  const Span<const rigless::Flight> own = view<rigless::Flight>(flights, count);
+  plays[performance].flights.assign(own.begin(), own.end());
+  plays[performance].own_flights = true;
+}
+
+// partners: C; x, y, z: normal of the mesh's plane.
+RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int32_t* partners, std::int32_t controls,
+                                       double x, double y, double z) {
+  const Span<const std::int32_t> mirror = view<std::int32_t>(partners, controls);
+  plays[performance].mirror.assign(mirror.begin(), mirror.end());
+  plays[performance].mirror_normal = {x, y, z};
+}
+
+// pairs: C; rest: C x 3, the controls at rest; floor, height: of the mesh at rest; example_joints: N x J x 3 body-local
+// metres, NaN where unknown; example_controls: N x C x 3. The motion must stay until performance_progress() is 1.
+RIGLESS_EXPORT double performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
+                                        const float* rest, std::int32_t controls, double floor, double height,
+                                        const float* example_joints, const float* example_controls,
+                                        std::int32_t examples, double smoothness, std::int32_t ground_contact,
+                                        std::int32_t in_place) {
+  const rigless::StagedMotion<double>& staged = motions[motion].staged;
+  const std::vector<Vec3d> rest_controls = widen(rest, controls);
+  const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
+  const std::vector<Vec3d> places = widen(example_controls, examples * controls);
+  rigless::PerformanceInput<double> input;
+  input.motion = &staged;
+  input.pairs = view<std::int32_t>(pairs, controls);
+  input.rest = rest_controls;
+  input.floor = floor;
+  input.height = height;
+  input.examples = {joints, places};
+  input.settings = {smoothness, ground_contact != 0, in_place != 0};
+  Play& play = plays[performance];
+  const Span<const rigless::Flight> flights = play.flights;
+  input.constraints = play.constraints;
+  input.contacts = play.contacts;
+  if (play.own_flights) input.flights = &flights;
+  input.mirror = play.mirror;
+  input.mirror_normal = play.mirror_normal;
+  return pack(play.builder.begin(input));
+}
+
+// One slice. Call until performance_progress() is 1.
+RIGLESS_EXPORT double performance_advance(ObjectHandle performance) {
+  Play& play = plays[performance];
+  if (play.builder.advance(slice_frames)) return 0;
+  rigless::Performance<double> made;
+  if (const Status status = play.builder.finish(made); !status.ok()) return pack(status);
+  play.performance = rigless::performance_cast<float>(made);
+  play.made = true;
+  return 0;
+}
+
+RIGLESS_EXPORT double performance_progress(ObjectHandle performance) {
+  const Play& play = plays[performance];
+  return play.made ? 1.0 : std::min(play.builder.progress(), 0.99);
+}
+
+// out: T, C, number of flights, slip before and after the foot lock (metres per second), number of constraints and of
+// asks, examples that there are and that would be enough, starters.
+RIGLESS_EXPORT void performance_info(ObjectHandle performance, double* out) {
+  const rigless::Performance<float>& p = plays[performance].performance;
+  out[0] = p.frames;
+  out[1] = static_cast<double>(p.control_count());
+  out[2] = static_cast<double>(p.flights.size());
+  out[3] = static_cast<double>(p.slip_before.mean);
+  out[4] = static_cast<double>(p.slip_after.mean);
+  out[5] = static_cast<double>(p.missed.size());
+  out[6] = static_cast<double>(p.asks.size());
+  out[7] = p.have;
+  out[8] = p.want;
+  out[9] = p.starters;
+}
+
+// T x C x 3; T x C; pairs of frames; T; T x 2; T x C; constraints (places, then those that are still), twice; T; pairs
+// of frame and gain
+RIGLESS_EXPORT const float* performance_controls(ObjectHandle performance) {
+  return plays[performance].performance.controls.data()->data();
+}
+RIGLESS_EXPORT const std::uint8_t* performance_contacts(ObjectHandle performance) {
+  return plays[performance].performance.contacts.data();
+}
+RIGLESS_EXPORT const std::int32_t* performance_flights(ObjectHandle performance) {
+  return reinterpret_cast<const std::int32_t*>(plays[performance].performance.flights.data());
+}
+RIGLESS_EXPORT const float* performance_yaw(ObjectHandle performance) {
+  return plays[performance].performance.yaw.data();
+}
+RIGLESS_EXPORT const float* performance_travel(ObjectHandle performance) {
+  return plays[performance].performance.travel.data()->data();
+}
+RIGLESS_EXPORT const std::uint8_t* performance_source_contacts(ObjectHandle performance) {
+  return plays[performance].performance.source_contacts.data();
+}
+RIGLESS_EXPORT const float* performance_missed(ObjectHandle performance) {
+  return plays[performance].performance.missed.data();
+}
+RIGLESS_EXPORT const std::int32_t* performance_opponents(ObjectHandle performance) {
+  return plays[performance].performance.opponents.data();
+}
+RIGLESS_EXPORT const float* performance_coverage(ObjectHandle performance) {
+  return plays[performance].performance.coverage.data();
+}
+RIGLESS_EXPORT void performance_asks(ObjectHandle performance, double* out) {
+  for (const rigless::Ask& ask : plays[performance].performance.asks) {
+    *out++ = ask.frame;
+    *out++ = ask.gain;
+  }
+}
