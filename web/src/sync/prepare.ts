@@ -3,6 +3,7 @@
 import { boundsOf, fromStage, pointToStage, STAGE_HEIGHT, stageOf, toStage } from "../document/stage";
 import type { Stage } from "../document/stage";
 import type { Example, MeshRef, Point, ProjectDocument, Vec3 } from "../document/types";
+import { isSameJoint, jointFinder } from "../engine/match-joints";
 import type { ControlInput, Joint, MeshInput, Motion, RetargetInput } from "../engine/types";
 
 /** What of a model the solver knows; file units and axes. */
@@ -83,7 +84,7 @@ export function retargetInput(model: SolverModel, document: ProjectDocument, mot
   const find = jointFinder(motion.joints.map((joint) => joint.name));
   const { smoothness, volume, groundContact, inPlace } = document.settings;
   return {
-    pairs: Int32Array.from(document.points, ({ joint }) => (joint === null ? -1 : find(joint))),
+    pairs: Int32Array.from(document.points, ({ joint }) => (joint === null ? -1 : find(joint, jointsSaid(document)))),
     examples: document.examples.filter((example) => knows(example, motion)).map((example) => ({
       joints: exampleJoints(example, motion),
       controls: exampleControls(model, document, example),
@@ -98,10 +99,20 @@ export function pairingNotes(document: ProjectDocument, motion: Pick<Motion, "jo
   const name = document.motion.files.at(-1) ?? "This motion";
   return [
     ...document.points.flatMap(({ name: point, joint }) =>
-      joint !== null && find(joint) < 0 ? [`${name} has no joint "${joint}": "${point}" follows the whole pose.`] : []),
+      joint === null ? [] : pairingNote(name, point, joint, motion.joints[find(joint, jointsSaid(document))]?.name)),
     ...document.examples.flatMap((example, n) =>
       knows(example, motion) ? [] : [`Pose ${n + 1} was made on another skeleton, and ${name} has none of its joints: it is left out.`]),
   ];
+}
+
+function pairingNote(motion: string, point: string, joint: string, found: string | undefined): string[] {
+  if (found === undefined) return [`${motion} has no joint "${joint}": "${point}" follows the whole pose.`];
+  return isSameJoint(joint, found) ? [] : [`${motion} has no joint "${joint}": "${point}" follows "${found}".`];
+}
+
+/** Every joint's name that the document says: what one of them means may depend on the others. */
+function jointsSaid({ points, examples }: ProjectDocument): string[] {
+  return [...points.flatMap(({ joint }) => joint ?? []), ...Object.keys(examples[0]?.joints ?? {})];
 }
 
 /** J x 3: the example's joints in the motion's order; NaN where it has none of that name. */
@@ -110,7 +121,7 @@ function exampleJoints(example: Example, motion: Pick<Motion, "joints">): Float3
   const find = jointFinder(names);
   const out = new Float32Array(3 * motion.joints.length).fill(NaN);
   motion.joints.forEach((joint, j) => {
-    const n = find(joint.name);
+    const n = find(joint.name, motion.joints.map(({ name }) => name));
     if (n >= 0) out.set(example.joints[names[n]], 3 * j);
   });
   return out;
@@ -119,18 +130,6 @@ function exampleJoints(example: Example, motion: Pick<Motion, "joints">): Float3
 function knows(example: Example, motion: Pick<Motion, "joints">): boolean {
   const find = jointFinder(Object.keys(example.joints));
   return motion.joints.some((joint) => find(joint.name) >= 0);
-}
-
-/** Finds a joint by its name: exactly, else in the plain spelling, where "mixamorig:LeftFoot" is "lfoot" too; -1 if there is none. */
-function jointFinder(names: readonly string[]): (name: string) => number {
-  const exact = new Map(names.map((name, j) => [name, j]));
-  const plain = new Map(names.map((name, j) => [plainName(name), j] as const).reverse());
-  return (name) => exact.get(name) ?? plain.get(plainName(name)) ?? -1;
-}
-
-function plainName(name: string): string {
-  const letters = name.slice(name.lastIndexOf(":") + 1).toLowerCase().replace(/[^a-z0-9]/g, "");
-  return letters.replace(/^left/, "l").replace(/^right/, "r");
 }
 
 function nearestVertex(positions: Float32Array, [x, y, z]: Vec3, taken: ReadonlySet<number>): number {

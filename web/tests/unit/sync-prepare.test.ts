@@ -54,6 +54,17 @@ describe("what the engine is asked", async () => {
     expect(input).toMatchObject(document.settings);
   });
 
+  it("joints on another skeleton by their part of the body, which is told", () => {
+    const there = ["Hips", "LeftUpLeg", "LeftLeg", "LeftFoot"].map((name, j) => ({ name, parent: j - 1 }));
+    const said = { ...document, points: [{ ...document.points[0], joint: "lfemur" }], examples: [
+      { id: "1", source: { motion: "m", frame: 0 }, joints: { root: [0, 0, 0], lfemur: [1, 2, 3], ltibia: [4, 5, 6] }, points: {} },
+    ] } as unknown as ProjectDocument;
+    const input = retargetInput(model, said, { joints: there });
+    expect([...input.pairs]).toEqual([2]);
+    expect([...input.examples[0].joints]).toEqual([0, 0, 0, NaN, NaN, NaN, 1, 2, 3, 4, 5, 6]);
+    expect(pairingNotes(said, { joints: there })).toEqual(['m.amc has no joint "lfemur": "top" follows "LeftLeg".']);
+  });
+
   it("examples in the motion's order, NaN for joints that they do not know, rest for points that they do not name", () => {
     const { examples } = retargetInput(model, document, { joints });
     expect(examples).toHaveLength(1);
