@@ -261,6 +261,52 @@ TEST_CASE("the user's contacts, flights and places count, and what is missed is 
   CHECK(edited.slip_after.maximum < 1e-9);
 }
 
+TEST_CASE("a performance of any length, with everything asked of it") {
+  const std::vector<std::int32_t> partners = {1, 0, 2, 3};
+  for (const std::int32_t frames : {1, 2, 3, 10000}) {
+    CAPTURE(frames);
+    Stick stick;
+    REQUIRE(stage(walk(4 * frames - 3, 0.1), stick.motion).ok());
+    REQUIRE(stick.motion.clip.frames == frames);
+    PerformanceInput<double> input = stick.input();
+    input.mirror = partners;
+    const Vec3d high(0, 1.8, 0.1);
+    for (const std::int32_t f : {0, frames - 1}) {
+      input.constraints.positions.push_back({2, f, high, {true, true, true}});
+      if (f > 0) input.constraints.velocities.push_back({3, f, Vec3d::Zero(), {true, true, true}});
+    }
+    const std::vector<ContactEdit> contacts = {{0, {0, 1}}, {1, {frames - 1, frames}}};
+    input.contacts = contacts;
+    Performance<double> performance;
+    REQUIRE(build_performance(input, performance).ok());
+    CHECK(performance.controls.size() == 4 * static_cast<std::size_t>(frames));
+    CHECK(performance.coverage.size() == static_cast<std::size_t>(frames));
+    double largest = 0;
+    for (const Vec3d& p : performance.controls) largest = p.allFinite() ? std::max(largest, p.norm()) : 1e9;
+    CHECK(largest < 5);
+    for (const double missed : performance.missed) CHECK(missed < 1e-6);
+    for (const auto& at : performance.travel) CHECK((std::isfinite(at[0]) && std::isfinite(at[1])));
+  }
+}
+
+TEST_CASE("the rate of the file hardly matters") {
+  Stick stick;
+  REQUIRE(stage(walk(480, 0), stick.motion).ok());
+  Performance<double> usual;
+  REQUIRE(build_performance(stick.input(), usual).ok());
+  for (const double fps : {15.0, 24.0, 60.0, 240.0}) {
+    CAPTURE(fps);
+    Clip<double> clip;
+    REQUIRE(resample(walk(480, 0), fps, clip).ok());
+    REQUIRE(stage(clip, stick.motion).ok());
+    Performance<double> performance;
+    REQUIRE(build_performance(stick.input(), performance).ok());
+    CHECK(std::abs(performance.frames - usual.frames) <= 2);
+    CHECK(performance.travel.back()[1] == doctest::Approx(usual.travel.back()[1]).epsilon(0.15));
+    CHECK(performance.slip_after.maximum < 1e-9);
+  }
+}
+
 TEST_CASE("in place nothing travels, and all else stays") {
   Stick stick;
   REQUIRE(stage(walk(240, 0), stick.motion).ok());
