@@ -70,6 +70,7 @@ TEST_CASE("pose maps: the weights that the retargeting smooths are the reference
   for (const Vec3<double>& p : golden.joints) features.insert(features.end(), p.data(), p.data() + 3);
   rigless::WeightOptions<double> options;
   options.locality = 0.05;
+  options.sharing = 0;
   rigless::WeightElimination<double> elimination;
   elimination.bind(features, golden.controls, options);
   double error = 0, weight_error = 0;

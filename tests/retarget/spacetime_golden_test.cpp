@@ -94,6 +94,7 @@ void read(const rigless::json::Value& all, const rigless::json::Value& c, Proble
   p.frames = static_cast<std::int32_t>(all["J"][0].size());
   for (std::size_t k = 0; k < tracks; ++k) p.tracks.push_back({p.features[k], p.example_features[k], p.controls[k]});
   p.options.weights.locality = static_cast<S>(options["locality"].number());
+  p.options.weights.sharing = 0;
   p.options.weights.soft_affine = options["affine_hard"].boolean() ? S(0) : S(1);
   const bool all_examples = c["options"].keys().end() != std::find(options.keys().begin(), options.keys().end(), "k");
   p.options.weights.nearest = all_examples ? 0 : 4;

@@ -22,7 +22,7 @@ struct RetargetOptions {
   S fps = 30;                 // of the clip
   S smoothness = S(0.3);      // lambda_A at 30 fps; at other rates times (fps / 30)^2
   S pose_weight = S(0.5);     // a: how much the whole pose counts beside the control's joint
-  WeightOptions<S> weights;   // all examples, locality .03, weights sum to 1
+  WeightOptions<S> weights;   // all examples, the near ones first; weights sum to 1
   S offset_weight = S(0.05);  // offset track of constrained controls; 0: none
   S offset_acceleration = 3;  // at 30 fps
   S compliance = S(1e-9);     // of hard constraints
@@ -184,6 +184,7 @@ class Retargeter {
     const double rate = static_cast<double>(options.fps) / 30;
     SpacetimeOptions<double> out;
     out.weights.locality = static_cast<double>(options.weights.locality);
+    out.weights.sharing = static_cast<double>(options.weights.sharing);
     out.weights.soft_affine = static_cast<double>(options.weights.soft_affine);
     out.weights.nearest = options.weights.nearest;
     out.weights.tikhonov = static_cast<double>(options.weights.tikhonov);

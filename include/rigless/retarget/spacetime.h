@@ -29,7 +29,7 @@ struct SpacetimeOptions {
   // The paper's own formulation: the 4 nearest examples, a soft affine row, exact constraints.
   static SpacetimeOptions thesis() {
     SpacetimeOptions options;
-    options.weights.locality = 0;
+    options.weights.locality = options.weights.sharing = 0;
     options.weights.soft_affine = 1;
     options.weights.nearest = 4;
     options.compliance = 0;

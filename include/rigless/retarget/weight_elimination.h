@@ -18,7 +18,10 @@ namespace rigless {
 template <class S>
 struct WeightOptions {
   // mu: cost of the squared weight of an example, times its squared distance from the frame.
-  S locality = S(0.03);
+  S locality = S(0.002);
+  // Cost of every squared weight, times the squared distance to the nearest example: between the examples, where a hand
+  // that drags imprecisely does most harm, more of them share the weight; an example's own pose stays its own.
+  S sharing = S(0.02);
   // Weight of the soft row "sum of weights = 1" of Eq 3.19; 0: the sum is 1 exactly, so that translations do not
   // matter.
   S soft_affine = 0;
@@ -37,7 +40,8 @@ struct WeightCost {
 };
 
 // For the features j of one frame, the weights minimise
-//   1/2 |J w - j|^2 + 1/2 mu sum_m w_m^2 |j - j_m|^2 + 1/2 tikhonov |w|^2 + u.(C w),  sum w = 1 (or its soft row)
+//   1/2 |J w - j|^2 + 1/2 sum_m w_m^2 (mu |j - j_m|^2 + sharing min_k |j - j_k|^2 + tikhonov) + u.(C w),  sum w = 1 (or
+//   its soft row)
 // when u pulls at the control: w = free - response u, so the control is C w = position - compliance u.
 template <class S>
 class WeightElimination {
@@ -122,7 +126,9 @@ class WeightElimination {
       projection_[m] = along;
       distance_[m] = sum;
       order_[m] = m;
+      shared_ = m == 0 ? sum : std::min(shared_, sum);
     }
+    shared_ *= options_.sharing;
     if (used_ == count) return;
     for (std::size_t k = 0; k < used_; ++k) {
       std::size_t best = k;
@@ -142,7 +148,7 @@ class WeightElimination {
   }
 
   S own_cost(std::size_t m) const {
-    const S own = options_.locality * distance_[m] + ridge_;
+    const S own = options_.locality * distance_[m] + shared_ + ridge_;
     return cost_.stiffness != nullptr ? own + cost_.stiffness[m] : own;
   }
   S pull(std::size_t m) const { return cost_.pull != nullptr ? cost_.pull[m] : S(0); }
@@ -194,7 +200,7 @@ class WeightElimination {
   Span<const Vec3<S>> controls_;  // N
   std::size_t dimension_ = 0;     // D
   std::vector<S> gram_;           // N x N, J'J
-  S ridge_ = 0;
+  S ridge_ = 0, shared_ = 0;
   WeightCost<S> cost_;
   std::size_t used_ = 0, unknowns_ = 0;  // examples in use per frame; weights that are open
   std::vector<S> projection_;            // N, J'j
