@@ -36,25 +36,39 @@ export function reportMesh(vertices, triangles) {
     repeatedEdges: repeated,
     minAngle: degrees(sorted[0]),
     angleFifthPercentile: degrees(sorted[Math.floor(sorted.length * 0.05)]),
-    worstAspect: +Math.max(...aspects).toFixed(2),
+    worstAspect: +aspects.reduce((x, y) => Math.max(x, y)).toFixed(2),
     meanAspect: +(aspects.reduce((x, y) => x + y, 0) / aspects.length).toFixed(3),
-    valence: [Math.min(...valence), Math.max(...valence)],
+    valence: [valence.reduce((x, y) => Math.min(x, y)), valence.reduce((x, y) => Math.max(x, y))],
     selfIntersections: countIntersections(vertices, triangles),
     volume: +volume.toFixed(4),
   };
 }
 
-/** Pairs of triangles without a common vertex of which one's edge passes through the other. */
+/** Pairs of triangles without a common vertex of which one's edge passes through the other; candidates share a cell of a grid. */
 function countIntersections(vertices, triangles) {
   const box = triangles.map((t) => [0, 1, 2].map((k) => t.map((v) => vertices[v][k])).map((x) => [Math.min(...x), Math.max(...x)]));
+  const cell = 2 * box.reduce((sum, b) => sum + Math.max(...b.map(([low, high]) => high - low)), 0) / triangles.length;
+  const grid = new Map();
   let count = 0;
-  for (let i = 0; i < triangles.length; i++)
-    for (let j = i + 1; j < triangles.length; j++) {
+  triangles.forEach((t, i) => {
+    const p = t.map((v) => vertices[v]);
+    const [xs, ys, zs] = box[i].map(([low, high]) => [Math.floor(low / cell), Math.floor(high / cell)]);
+    const met = new Set();
+    for (let x = xs[0]; x <= xs[1]; x++)
+      for (let y = ys[0]; y <= ys[1]; y++)
+        for (let z = zs[0]; z <= zs[1]; z++) {
+          const key = `${x},${y},${z}`;
+          if (!grid.has(key)) grid.set(key, []);
+          for (const j of grid.get(key)) met.add(j);
+          grid.get(key).push(i);
+        }
+    for (const j of met) {
       if (box[i].some(([low, high], k) => low > box[j][k][1] || high < box[j][k][0])) continue;
-      if (triangles[i].some((v) => triangles[j].includes(v))) continue;
-      const [p, q] = [triangles[i].map((v) => vertices[v]), triangles[j].map((v) => vertices[v])];
+      if (t.some((v) => triangles[j].includes(v))) continue;
+      const q = triangles[j].map((v) => vertices[v]);
       if (edgesPierce(p, q) || edgesPierce(q, p)) count++;
     }
+  });
   return count;
 }
 
