@@ -16,7 +16,9 @@ export default defineConfig({
     {
       name: "core",
       generateBundle() {
-        this.emitFile({ type: "asset", fileName: "rigless.wasm", source: readFileSync(new URL("src/engine/rigless.wasm", import.meta.url)) });
+        for (const fileName of ["rigless.wasm", "understand.wasm"]) {
+          this.emitFile({ type: "asset", fileName, source: readFileSync(new URL(`src/engine/${fileName}`, import.meta.url)) });
+        }
       },
     },
   ],

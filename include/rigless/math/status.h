@@ -7,8 +7,10 @@
 
 #define RIGLESS_ASSERT(condition) assert(condition)
 
-// Marks what runs once for each mesh: in a wasm module, where every byte is downloaded, it is built for size.
-#if defined(__wasm__)
+// Marks what runs once for each mesh: in a wasm module, where every byte is downloaded, it is built for size, unless a
+// build says otherwise.
+#if defined(RIGLESS_ONCE)
+#elif defined(__wasm__)
 #define RIGLESS_ONCE __attribute__((minsize, noinline))
 #else
 #define RIGLESS_ONCE

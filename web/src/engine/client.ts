@@ -3,7 +3,7 @@
 import type { CallName, Calls, Reply, Request } from "./protocol";
 import { EngineError } from "./types";
 import type {
-  CallOptions, ControlInput, Engine, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
+  CallOptions, ControlInput, Engine, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput, Understanding,
 } from "./types";
 
 /** A Worker, or what stands for one in Node. */
@@ -28,8 +28,8 @@ export class EngineClient implements Engine {
   #lastId = 0;
   #lost: EngineError | null = null;
 
-  /** `wasm`: the bytes of rigless.wasm; taken over. */
-  constructor(port: WorkerPort, wasm: ArrayBuffer | Promise<ArrayBuffer>) {
+  /** `wasm`: the bytes of rigless.wasm; taken over. `understandWasm` gets those of understand.wasm when they are needed. */
+  constructor(port: WorkerPort, wasm: ArrayBuffer | Promise<ArrayBuffer>, readonly understandWasm: () => Promise<ArrayBuffer>) {
     this.#port = port;
     port.onmessage = (event) => this.#hear(event.data);
     port.onerror = (event) => this.#lose(`The engine stopped: ${event.message || "its worker could not run"}.`);
@@ -42,6 +42,13 @@ export class EngineClient implements Engine {
 
   setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport> {
     return this.#call("setMesh", mesh, options);
+  }
+
+  async understand(mesh: MeshInput, options?: CallOptions): Promise<Understanding> {
+    const wasm = await this.understandWasm().catch((error: unknown) => {
+      throw new EngineError("bad_mesh", `What looks at models could not be loaded: ${String(error)}.`);
+    });
+    return this.#call("understand", { mesh, wasm }, options);
   }
 
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void> {

@@ -7,10 +7,10 @@ import { serve } from "./serve";
 import type { ServerPort } from "./serve";
 import type { Engine } from "./types";
 
-/** Keeps the process alive until close(). `wasm`: where rigless.wasm lies; default: beside this file. */
+/** Keeps the process alive until close(). `wasm`: where rigless.wasm lies, and understand.wasm beside it; default: beside this file. */
 export async function createNodeEngine(wasm: URL = new URL("./rigless.wasm", import.meta.url)): Promise<Engine> {
-  const file = await readFile(wasm);
-  return new EngineClient(channelWorker(), new Uint8Array(file).buffer);
+  const bytes = async (url: URL) => new Uint8Array(await readFile(url)).buffer;
+  return new EngineClient(channelWorker(), await bytes(wasm), () => bytes(new URL("./understand.wasm", wasm)));
 }
 
 // Not a message to itself as in a browser: Node empties one port before it looks at the next.

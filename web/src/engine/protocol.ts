@@ -1,7 +1,7 @@
 // What crosses the port between the page and the engine's worker.
 
 import type {
-  ControlInput, EngineErrorCode, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
+  ControlInput, EngineErrorCode, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput, Understanding,
 } from "./types";
 
 export interface DragInput {
@@ -10,8 +10,15 @@ export interface DragInput {
   restart: boolean;
 }
 
+export interface UnderstandInput {
+  mesh: MeshInput;
+  /** The bytes of understand.wasm. */
+  wasm: ArrayBuffer;
+}
+
 export interface Calls {
   setMesh: { input: MeshInput; output: MeshReport };
+  understand: { input: UnderstandInput; output: Understanding };
   setControls: { input: ControlInput[]; output: void };
   setMotion: { input: MotionInput; output: Motion };
   drag: { input: DragInput; output: Frame };

@@ -24,6 +24,36 @@ export interface MeshReport {
   degenerateFaces: number;
 }
 
+export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
+
+/** What a point of a body is; a tip is an extremity without a name: an ear, a horn, a wing. */
+export type BodyRole = "tip" | "head" | "hand" | "foot" | "foreleg" | "tail" | "hips" | "chest";
+
+/** A place where a model may well be held. */
+export interface BodyPoint {
+  vertex: number;
+  role: BodyRole;
+  /** The body's own; null in the middle. */
+  side: "left" | "right" | null;
+  /** Index of the same point on the other side; its own on the plane of symmetry; -1 where there is none. */
+  partner: number;
+  /** Geodesic radius of what moves as one piece with it, in the mesh's units. */
+  radius: number;
+  /** A body needs it to dance; the others are there to be chosen. */
+  wanted: boolean;
+}
+
+/** What a bare mesh says of itself, in its own axes and units. A guess: it may be wrong, and is meant to be shown. */
+export interface Understanding {
+  up: AxisName;
+  /** Which way it looks. */
+  facing: AxisName;
+  /** The plane in which it is its own mirror image, within 2 % of its diagonal; null: it is not. */
+  symmetry: { point: [number, number, number]; normal: [number, number, number]; misfit: number } | null;
+  /** At most 32, those that are wanted first. */
+  points: BodyPoint[];
+}
+
 export interface ControlInput {
   vertex: number;
   /** Geodesic radius of the disc, metres. */
@@ -167,6 +197,8 @@ export interface CallOptions {
 export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
   setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport>;
+  /** Guesses how a mesh stands and where to hold it; binds nothing. Any axes and units. Rejects with bad_mesh. */
+  understand(mesh: MeshInput, options?: CallOptions): Promise<Understanding>;
   /** Binds controls on the present mesh (ordering, factorisation). */
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void>;
   /** Reads a motion; on failure (bad_motion) the previous one stays. */

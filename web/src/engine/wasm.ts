@@ -76,15 +76,32 @@ export interface RiglessExports {
   performance_asks(performance: Handle, out: Pointer): void;
 }
 
-export async function instantiate(bytes: ArrayBuffer): Promise<RiglessExports> {
-  const { instance } = await WebAssembly.instantiate(bytes, {
-    env: { emscripten_notify_memory_growth: () => {} },
-    wasi_snapshot_preview1: {
-      proc_exit: (code: number) => {
-        throw new WebAssembly.RuntimeError(`the core stopped with code ${code}`);
-      },
+/** wasm/understanding.cpp */
+export interface UnderstandExports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  alloc(bytes: number): Pointer;
+  understand(positions: Pointer, vertices: number, faces: Pointer, faceCount: number, out: Pointer): PackedStatus;
+}
+
+const IMPORTS = {
+  env: { emscripten_notify_memory_growth: () => {} },
+  wasi_snapshot_preview1: {
+    proc_exit: (code: number) => {
+      throw new WebAssembly.RuntimeError(`the core stopped with code ${code}`);
     },
-  });
+  },
+};
+
+/** At once, as only a worker may; for a small module that is used and dropped. */
+export function instantiateUnderstand(bytes: ArrayBuffer): UnderstandExports {
+  const module = new WebAssembly.Instance(new WebAssembly.Module(bytes), IMPORTS).exports as unknown as UnderstandExports;
+  module._initialize();
+  return module;
+}
+
+export async function instantiate(bytes: ArrayBuffer): Promise<RiglessExports> {
+  const { instance } = await WebAssembly.instantiate(bytes, IMPORTS);
   const core = instance.exports as unknown as RiglessExports;
   core._initialize();
   return core;

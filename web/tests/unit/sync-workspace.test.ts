@@ -36,7 +36,7 @@ beforeEach(async () => {
   told = [];
   const create = (): Engine => {
     const wasm = new Uint8Array(readFileSync(new URL("../../src/engine/rigless.wasm", import.meta.url))).buffer;
-    const engine = new EngineClient(channelWorker(), wasm);
+    const engine = new EngineClient(channelWorker(), wasm, () => Promise.reject(new Error("not asked for")));
     engines.push(engine);
     return engine;
   };

@@ -1,0 +1,60 @@
+// From what a bare model says of itself to a project that dances at once. Pure.
+
+import { STAGE_HEIGHT } from "../document/stage";
+import type { MeshRef, Point } from "../document/types";
+import { jointFinder } from "../engine/match-joints";
+import type { BodyPoint, Joint, Understanding } from "../engine/types";
+import { stageFor } from "./prepare";
+import type { SolverModel } from "./prepare";
+
+export interface Guess {
+  mesh: Pick<MeshRef, "facing" | "up">;
+  /** Enough to dance. */
+  points: Point[];
+  /** Further places where the model may well be held. */
+  more: Point[];
+}
+
+/** The joint that moves a point, in the plain spelling that every skeleton's names are matched with. Others follow the whole pose. */
+const JOINT: Partial<Record<BodyPoint["role"], string>> = { head: "Head", hand: "Hand", foot: "Foot", foreleg: "Foot", hips: "Hips" };
+
+/** Points on the model with the joints of a motion that they follow. */
+export function guessPoints(model: SolverModel, { up, facing, points }: Understanding, joints: readonly Joint[]): Guess {
+  const mesh = { facing, up };
+  const { scale } = stageFor(model, { file: "", ...mesh });
+  const find = jointFinder(joints.map((joint) => joint.name));
+  const names = uniqueNames(points);
+  const ids = names.map((name) => name.toLowerCase().replaceAll(" ", "-"));
+  const all = points.map((point, n): Point => {
+    const [x, y, z] = model.positions.subarray(3 * point.vertex, 3 * point.vertex + 3);
+    return {
+      id: ids[n],
+      name: names[n],
+      position: [x, y, z],
+      joint: joints[find(jointName(point))]?.name ?? null,
+      radius: Math.round((1000 * point.radius * scale) / STAGE_HEIGHT) / 1000,
+      ...(point.partner >= 0 ? { mirror: ids[point.partner] } : {}),
+    };
+  });
+  return { mesh, points: all.filter((_, n) => points[n].wanted), more: all.filter((_, n) => !points[n].wanted) };
+}
+
+/** A body on four legs trots: a foreleg goes with the foot across. */
+function jointName({ role, side }: BodyPoint): string {
+  const joint = JOINT[role] ?? "";
+  if (role === "foreleg") return (side === "left" ? "Right" : "Left") + joint;
+  return side === null ? joint : (side === "left" ? "Left" : "Right") + joint;
+}
+
+/** "Left hand", "Tip", "Tip 2" */
+function uniqueNames(points: readonly BodyPoint[]): string[] {
+  const taken = new Set<string>();
+  return points.map(({ role, side }) => {
+    const words = side === null ? role : `${side} ${role}`;
+    const name = words.charAt(0).toUpperCase() + words.slice(1);
+    let unique = name;
+    for (let n = 2; taken.has(unique); n++) unique = `${name} ${n}`;
+    taken.add(unique);
+    return unique;
+  });
+}
