@@ -1,20 +1,16 @@
 // GLB and glTF through glTF Transform: it needs no DOM and fetches nothing, so the page, its worker and Node read alike.
 // A skinned or morphed model is taken in its current pose.
 
-import { type Document, type GLTF, type JSONDocument, Logger, type mat4, type Node, Primitive, type Texture, WebIO } from "@gltf-transform/core";
+import { BufferUtils, type Document, type GLTF, type JSONDocument, Logger, type mat4, type Material, type Node, Primitive, type Texture, WebIO } from "@gltf-transform/core";
 
+import { forgetFallbacks, hasMeshopt, unpackMeshopt } from "./meshopt";
 import { count, type Part, type Picture } from "./model";
 import { baseName, decodeUri, findFile, ModelError, type NamedFile } from "./named-file";
 import { checkedPicture } from "./picture";
 
 const GLB_BIN = "@glb.bin";
-const COMPRESSION: Record<string, string> = {
-  KHR_draco_mesh_compression: "Draco",
-  EXT_meshopt_compression: "meshopt",
-  KHR_meshopt_compression: "meshopt",
-};
 
-/** Errors (ModelError): not glTF 2.0; broken; compressed; a .bin that is missing; no triangles. */
+/** Errors (ModelError): not glTF 2.0; broken; compressed with Draco; a .bin that is missing; no triangles. */
 export async function readGltf(
   name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
 ): Promise<{ parts: Part[]; texture: Picture | null }> {
@@ -37,11 +33,13 @@ async function readSound(
   const source = splitGlb(name, file.bytes);
   const { json } = source;
   if (typeof json.asset?.version !== "string" || !json.asset.version.startsWith("2")) throw new ModelError(`${name} is not glTF 2.0.`);
-  for (const extension of json.extensionsRequired ?? []) {
-    const kind = COMPRESSION[extension];
-    if (kind) throw new ModelError(`${name} is compressed with ${kind}. Save it without compression.`);
+  if (json.extensionsRequired?.includes("KHR_draco_mesh_compression")) {
+    throw new ModelError(`${name} is compressed with Draco. Save it without compression.`);
   }
+  forgetFallbacks(json);
   addResources(name, file.name, source, files);
+  if (hasMeshopt(json)) await unpack(name, source);
+  const pictureFrames = json.materials?.map(frameOf) ?? [];
   keepBaseColor(json);
   json.extensionsRequired = [];
   json.extensionsUsed = [];
@@ -52,7 +50,7 @@ async function readSound(
   const parts: Part[] = [];
   const found: Found = { pictures: new Set(), skinned: false, morphed: false };
   const visit = (node: Node): void => {
-    parts.push(...partsOf(node, found));
+    parts.push(...partsOf(node, found, (primitive) => pictureFrames[document.getRoot().listMaterials().indexOf(primitive.getMaterial() as Material)]));
     node.listChildren().forEach(visit);
   };
   (scene ? scene.listChildren() : document.getRoot().listNodes().filter((node) => !node.getParentNode())).forEach(visit);
@@ -61,6 +59,17 @@ async function readSound(
   if (found.morphed) notes.push("This file has shape keys. We use its current shape.");
 
   return { parts, texture: textureOf([...found.pictures], notes) };
+}
+
+async function unpack(name: string, source: JSONDocument): Promise<void> {
+  try {
+    await unpackMeshopt(source, (buffer) => {
+      const { uri } = (source.json.buffers ?? [])[buffer];
+      return uri?.startsWith("data:") ? BufferUtils.createBufferFromDataURI(uri) : source.resources[uri ?? GLB_BIN];
+    });
+  } catch {
+    throw broken(name);
+  }
 }
 
 function textureOf(pictures: readonly Texture[], notes: string[]): Picture | null {
@@ -134,7 +143,18 @@ interface Found {
   morphed: boolean;
 }
 
-function partsOf(node: Node, found: Found): Part[] {
+/** A place in the picture from one of the file: KHR_texture_transform, with which quantised files bring theirs back to 0 to 1. */
+type Frame = (u: number, v: number) => [number, number];
+
+function frameOf(material: GLTF.IMaterial): Frame | undefined {
+  const transform: unknown = material.pbrMetallicRoughness?.baseColorTexture?.extensions?.KHR_texture_transform;
+  if (typeof transform !== "object" || transform === null) return undefined;
+  const { offset = [0, 0], scale = [1, 1], rotation = 0 } = transform as { offset?: number[]; scale?: number[]; rotation?: number };
+  const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+  return (u, v) => [c * scale[0] * u + s * scale[1] * v + offset[0], -s * scale[0] * u + c * scale[1] * v + offset[1]];
+}
+
+function partsOf(node: Node, found: Found, frameFor: (primitive: Primitive) => Frame | undefined): Part[] {
   const mesh = node.getMesh();
   const parts: Part[] = [];
   for (const primitive of mesh?.listPrimitives() ?? []) {
@@ -144,7 +164,7 @@ function partsOf(node: Node, found: Found): Part[] {
     if (picture) found.pictures.add(picture);
     found.skinned ||= node.getSkin() !== null;
     found.morphed ||= primitive.listTargets().length > 0;
-    parts.push({ positions: posed(node, primitive), index, colors: colorsOf(primitive), uvs: uvsOf(primitive) });
+    parts.push({ positions: posed(node, primitive), index, colors: colorsOf(primitive), uvs: uvsOf(primitive, frameFor(primitive)) });
   }
   return parts;
 }
@@ -239,12 +259,15 @@ function colorsOf(primitive: Primitive): Float32Array | null {
   return out;
 }
 
-function uvsOf(primitive: Primitive): Float32Array | null {
+function uvsOf(primitive: Primitive, frame: Frame | undefined): Float32Array | null {
   const set = primitive.getMaterial()?.getBaseColorTextureInfo()?.getTexCoord() ?? 0;
   const uv = primitive.getAttribute(`TEXCOORD_${set}`);
   if (!uv) return null;
   const out = new Float32Array(2 * uv.getCount());
-  for (let v = 0; v < uv.getCount(); v++) out.set(uv.getElement(v, []), 2 * v);
+  for (let v = 0; v < uv.getCount(); v++) {
+    const [s, t] = uv.getElement<number[]>(v, []);
+    out.set(frame ? frame(s, t) : [s, t], 2 * v);
+  }
   return out;
 }
 

@@ -1,0 +1,5 @@
+import { makeSymmetric } from "../../kit/field-character.js";
+import { paint, zone } from "./paint.js";
+import { BOX, field, size } from "./shape.js";
+
+export const make = () => makeSymmetric({ name: "Dinosaur", field, box: BOX, step: 0.018, target: 5400, size, paint, zone, picture: 512 });
