@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+
+import { ModelError } from "../../src/io/named-file";
+import { type Model, readModel } from "../../src/io/read-model";
+import { asset, fixture } from "../support/files";
+
+/** For each drawn vertex of `a`, the distance to the nearest of `b` in space and, of those there, in the picture. */
+function farthest(a: Model, b: Model): { place: number; picture: number } {
+  let [place, picture] = [0, 0];
+  const [pa, pb, ua, ub] = [a.drawn.positions, b.drawn.positions, a.drawn.uvs as Float32Array, b.drawn.uvs as Float32Array];
+  for (let i = 0; i < pa.length / 3; i++) {
+    let [d, e] = [Infinity, Infinity];
+    for (let j = 0; j < pb.length / 3; j++) {
+      const away = Math.hypot(pa[3 * i] - pb[3 * j], pa[3 * i + 1] - pb[3 * j + 1], pa[3 * i + 2] - pb[3 * j + 2]);
+      d = Math.min(d, away);
+      if (away < 1e-3) e = Math.min(e, Math.hypot(ua[2 * i] - ub[2 * j], ua[2 * i + 1] - ub[2 * j + 1]));
+    }
+    [place, picture] = [Math.max(place, d), Math.max(picture, e)];
+  }
+  return { place, picture };
+}
+
+describe("models packed by meshopt", () => {
+  // Written by gltfpack 1.3: -cc, and -cz -ce khr.
+  it.each(["cactus-gltfpack-ext.glb", "cactus-gltfpack-khr.glb"])("%s opens with its picture", async (name) => {
+    const plain = await readModel([asset("cactus/cactus.glb")]);
+    const packed = await readModel([fixture(name)]);
+    expect(packed.positions).toHaveLength(plain.positions.length);
+    expect(packed.faces).toHaveLength(plain.faces.length);
+    expect(packed.drawn.texture?.mime).toBe("image/png");
+    const { place, picture } = farthest(packed, plain);
+    expect(place).toBeLessThan(2e-4);
+    expect(picture).toBeLessThan(1e-3);
+    expect(packed.notes).toEqual([]);
+  });
+
+  it("says that a broken one is broken", async () => {
+    const { name, bytes } = fixture("cactus-gltfpack-ext.glb");
+    const broken = bytes.slice();
+    broken.fill(255, bytes.length - 4000);
+    const error: unknown = await readModel([{ name, bytes: broken }]).catch((caught: unknown) => caught);
+    expect(error).toBeInstanceOf(ModelError);
+    expect((error as ModelError).message).toBe(`${name} is a broken glTF file: it ends early or its parts do not fit.`);
+  });
+
+  it("half a mesh shown twice, once mirrored, is one closed surface", async () => {
+    const { positions, faces } = await readModel([asset("characters/dinosaur/dinosaur.glb")]);
+    expect(positions.length / 3).toBeGreaterThan(5000);
+    const edges = new Set([...faces].map((v, i) => `${v},${faces[i % 3 === 2 ? i - 2 : i + 1]}`));
+    expect(edges.size).toBe(faces.length);
+    expect([...edges].filter((edge) => !edges.has(edge.split(",").reverse().join()))).toEqual([]);
+    expect(positions.length / 3 - edges.size / 2 + faces.length / 3).toBe(2);
+    const at = (v: number) => positions.subarray(3 * v, 3 * v + 3);
+    const places = new Set(Array.from({ length: positions.length / 3 }, (_, v) => at(v).join()));
+    expect([...places].filter((place) => !places.has(place.startsWith("-") ? place.slice(1) : place.startsWith("0,") ? place : "-" + place))).toEqual([]);
+  });
+});
