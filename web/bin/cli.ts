@@ -5,23 +5,31 @@ import { parseArgs } from "node:util";
 
 import { version } from "../package.json";
 import { DocumentError } from "../src/document/project";
+import type { ProjectDocument } from "../src/document/types";
 import { EngineError } from "../src/engine/types";
+import type { Engine, MotionInput } from "../src/engine/types";
 import { createNodeEngine } from "../src/engine/node";
 import { bake } from "../src/io/bake";
 import { count } from "../src/io/model";
-import { ModelError } from "../src/io/named-file";
+import type { Model } from "../src/io/model";
+import { MODEL_EXTENSIONS } from "../src/io/model-format";
+import { extension, ModelError } from "../src/io/named-file";
 import { readModel } from "../src/io/read-model";
 import { glbBytes, keptFrames, writeGlb } from "../src/io/write-glb";
 import { serializeTrack, trackOf } from "../src/io/write-track";
+import { guessProject } from "../src/sync/guess";
 import { meshInput, pairingNotes, stageFor } from "../src/sync/prepare";
-import { FileError, loadProject, OutputFiles } from "./files";
+import { FileError, loadModelAndMotion, loadProject, OutputFiles } from "./files";
 import { Progress } from "./progress";
 
 const HELP = `Human motion on any mesh, without a rig.
 
   rigless bake <project> --out dance.glb [--track track.json] [--every K] [--quiet]
+  rigless bake <model> <motion> --out dance.glb [...]
 
 <project> is a project.json beside the files that it names, or a saved .rigless file.
+<model> is an OBJ, OFF, PLY, STL, glTF or GLB file, <motion> a .bvh, or an .asf and an .amc. How the model stands, where it is
+held and which joints move it is then guessed from its shape, and said.
 
   --out FILE     an animated GLB: one morph target per kept frame
   --track FILE   the dance as numbers: points, root, contacts
@@ -37,10 +45,14 @@ const MOST_TARGETS = 256;
 /** A larger GLB cannot be made in one piece, nor opened. */
 const MOST_BYTES = 2 ** 31;
 
+const PROJECTS: readonly string[] = ["json", "rigless"];
+const MODELS: readonly string[] = MODEL_EXTENSIONS;
+
 class UsageError extends Error {}
 
 interface BakeCommand {
-  project: string;
+  /** One project, or a model and the files of a motion. */
+  inputs: string[];
   out: string | null;
   track: string | null;
   every: number;
@@ -90,14 +102,16 @@ function readArguments(args: readonly string[]): BakeCommand | string {
   const { values, positionals } = parsed(args);
   if (values.help || args.length === 0) return HELP;
   if (values.version) return `${version}\n`;
-  const [verb, project, ...more] = positionals;
+  const [verb, ...inputs] = positionals;
   if (verb !== "bake") throw new UsageError(`"${verb ?? ""}" is no command. See rigless --help.`);
-  if (project === undefined) throw new UsageError("bake needs a project. See rigless --help.");
-  if (more.length > 0) throw new UsageError(`bake takes one project; "${more[0]}" is too much.`);
+  const [first, second] = inputs;
+  if (first === undefined) throw new UsageError("bake needs a project, or a model and a motion. See rigless --help.");
+  if (inputs.some((input) => PROJECTS.includes(extension(input))) && second !== undefined) throw new UsageError(`bake takes one project; "${second}" is too much.`);
+  if (MODELS.includes(extension(first)) && second === undefined) throw new UsageError(`bake needs a motion too: rigless bake ${first} motion.bvh --out dance.glb`);
   if (values.out === undefined && values.track === undefined) throw new UsageError("bake needs --out, --track or both.");
   const every = Number(values.every ?? 1);
   if (!Number.isInteger(every) || every < 1) throw new UsageError(`--every should be a whole number from 1, but it is "${values.every}".`);
-  return { project, out: values.out ?? null, track: values.track ?? null, every, quiet: values.quiet ?? false };
+  return { inputs, out: values.out ?? null, track: values.track ?? null, every, quiet: values.quiet ?? false };
 }
 
 function parsed(args: readonly string[]) {
@@ -115,19 +129,47 @@ function parsed(args: readonly string[]) {
   }
 }
 
-async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void> {
-  const progress = new Progress(command.quiet);
-  const outputs = await OutputFiles.prepare([command.out, command.track]);
-  const { document, modelFiles, motion } = await loadProject(command.project);
-  if (document.points.length === 0) throw new FileError(`${basename(command.project)}: points is empty; at least one is needed to dance.`);
+interface Opened {
+  document: ProjectDocument;
+  model: Model;
+  motion: MotionInput;
+}
+
+async function openProject(path: string, progress: Progress): Promise<Opened> {
+  const { document, modelFiles, motion } = await loadProject(path);
+  if (document.points.length === 0) throw new FileError(`${basename(path)}: points is empty; at least one is needed to dance.`);
   progress.step("Reading the model");
   const model = await readModel(modelFiles);
   const vertices = model.positions.length / 3;
   if (document.points.length > vertices) {
-    throw new FileError(`${basename(command.project)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`);
+    throw new FileError(`${basename(path)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`);
   }
+  return { document, model, motion };
+}
+
+/** A model and a motion without a project: what a project would say is guessed. */
+async function guessed(paths: readonly string[], engine: Engine, progress: Progress, signal: AbortSignal): Promise<Opened> {
+  const { modelFiles, motion } = await loadModelAndMotion(paths);
+  progress.step("Reading the model");
+  const model = await readModel(modelFiles);
+  progress.step("Understanding the model");
+  const { joints } = await engine.setMotion(motion.input, { signal });
+  const said = await engine.understand({ positions: model.positions, faces: model.faces }, { signal });
+  const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motion.files, model, said, joints);
+  const { up, facing } = document.mesh;
+  progress.note(`${model.name} is taken to stand with ${up} up and to look along ${facing}; ${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`);
+  progress.note(`guessed ${count(document.points.length, "point")}: ${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`);
+  return { document, model, motion: motion.input };
+}
+
+async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void> {
+  const progress = new Progress(command.quiet);
+  const outputs = await OutputFiles.prepare([command.out, command.track]);
   const engine = await createNodeEngine();
   try {
+    const { document, model, motion } = command.inputs.length === 1
+      ? await openProject(command.inputs[0], progress)
+      : await guessed(command.inputs, engine, progress, signal);
     const baked = await bake(engine, document, model, motion, {
       signal,
       onProgress: (step, done) => progress.step(step, done),

@@ -6,6 +6,8 @@ import { basename, dirname, resolve } from "node:path";
 import { parseProject } from "../src/document/project";
 import { decodeText, decodeUri, extension, type NamedFile } from "../src/io/named-file";
 import { openProject, type OpenedProject } from "../src/io/project-file";
+import type { FoundMotion } from "../src/io/read-motion-files";
+import { sortFiles } from "../src/io/sort-files";
 import { isZip } from "../src/io/zip";
 
 /** A file that cannot be read or written; `message` names it. */
@@ -24,6 +26,15 @@ export async function loadProject(path: string): Promise<OpenedProject> {
   const motion = await Promise.all(document.motion.files.map((file) => read(resolve(folder, file), file, name)));
   const beside = await readBeside(model, folder);
   return openProject([{ ...project, name: "project.json" }, model, ...beside, ...motion]);
+}
+
+/** A model with what it names beside it, and a motion: files in any order. */
+export async function loadModelAndMotion(paths: readonly string[]): Promise<{ modelFiles: NamedFile[]; motion: FoundMotion }> {
+  const given = await Promise.all(paths.map((path) => read(path, basename(path))));
+  const beside = await Promise.all(given.map((file, n) => readBeside(file, dirname(paths[n]))));
+  const { models, motions, problems } = sortFiles(given);
+  if (models.length === 1 && motions.length === 1 && problems.length === 0) return { modelFiles: [models[0], ...beside.flat()], motion: motions[0] };
+  throw new FileError(problems[0] ?? `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} there are ${models.length} and ${motions.length}.`);
 }
 
 async function read(path: string, name: string, namedBy?: string): Promise<NamedFile> {

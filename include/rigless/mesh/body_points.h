@@ -139,7 +139,8 @@ class BodyReader {
     for (const BodyPoint<S>& p : points_)
       if (apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
     const S radius = std::clamp(thickness(node), least * tall_, most * tall_);
-    points_.push_back({node, role, side(node), -1, radius, wanted});
+    const bool central = role == BodyRole::head || role == BodyRole::hips || role == BodyRole::chest;
+    points_.push_back({node, role, central ? 0 : side(node), -1, radius, wanted});
   }
 
   // Tips on the ground, by pairs; those before the middle are forelegs. A body without any stands on the edges of its

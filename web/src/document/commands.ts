@@ -29,6 +29,9 @@ export const setSettings = (settings: Partial<Settings>): Command => (document) 
 export const addPoint = (point: Point): Command => (document) =>
   has(document.points, point.id) ? document : { ...document, points: [...document.points, point] };
 
+export const addPoints = (points: readonly Point[]): Command => (document) =>
+  points.reduce((next, point) => addPoint(point)(next), document);
+
 export const renamePoint = (id: string, name: string): Command => updatePoint(id, { name });
 
 /** Lets a joint drive a point; null: it follows the whole pose. */

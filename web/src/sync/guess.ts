@@ -1,7 +1,8 @@
 // From what a bare model says of itself to a project that dances at once. Pure.
 
+import { addPoints, newDocument } from "../document/commands";
 import { STAGE_HEIGHT } from "../document/stage";
-import type { MeshRef, Point } from "../document/types";
+import type { MeshRef, Point, ProjectDocument } from "../document/types";
 import { jointFinder } from "../engine/match-joints";
 import type { BodyPoint, Joint, Understanding } from "../engine/types";
 import { stageFor } from "./prepare";
@@ -14,6 +15,8 @@ export interface Guess {
   /** Further places where the model may well be held. */
   more: Point[];
 }
+
+const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "foreleg", "foot", "chest", "hips", "tail", "tip"];
 
 /** The joint that moves a point, in the plain spelling that every skeleton's names are matched with. Others follow the whole pose. */
 const JOINT: Partial<Record<BodyPoint["role"], string>> = { head: "Head", hand: "Hand", foot: "Foot", foreleg: "Foot", hips: "Hips" };
@@ -36,8 +39,20 @@ export function guessPoints(model: SolverModel, { up, facing, points }: Understa
       ...(point.partner >= 0 ? { mirror: ids[point.partner] } : {}),
     };
   });
-  return { mesh, points: all.filter((_, n) => points[n].wanted), more: all.filter((_, n) => !points[n].wanted) };
+  const order = points.map((_, n) => n).sort((a, b) => rank(points[a]) - rank(points[b]));
+  return { mesh, points: order.filter((n) => points[n].wanted).map((n) => all[n]), more: order.filter((n) => !points[n].wanted).map((n) => all[n]) };
 }
+
+/** A project of a model and a motion alone; `file` and `motion` as a document names them. */
+export function guessProject(
+  name: string, file: string, motion: readonly string[], model: SolverModel, said: Understanding, joints: readonly Joint[],
+): ProjectDocument {
+  const { mesh, points } = guessPoints(model, said, joints);
+  return addPoints(points)(newDocument(name, { file, ...mesh }, { files: motion }));
+}
+
+/** From head to foot, left before right. */
+const rank = ({ role, side }: BodyPoint): number => 2 * ROLES.indexOf(role) + (side === "right" ? 1 : 0);
 
 /** A body on four legs trots: a foreleg goes with the foot across. */
 function jointName({ role, side }: BodyPoint): string {

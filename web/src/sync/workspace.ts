@@ -3,7 +3,7 @@
 
 import type { ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { Engine, Frame, MeshReport, Motion, MotionInput, Performance } from "../engine/types";
+import type { Engine, Frame, MeshReport, Motion, MotionInput, Performance, Understanding } from "../engine/types";
 import { Emitter } from "./emitter";
 import { FrameCache } from "./frame-cache";
 import { Library } from "./library";
@@ -102,6 +102,11 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     });
     this.chain = result.then(() => undefined, () => void this.sync());
     return result;
+  }
+
+  /** What a model says of itself, in its file's axes and units. Rejects with EngineError: bad_mesh, engine_lost. */
+  understand({ positions, faces }: SolverModel): Promise<Understanding> {
+    return this.engine.understand({ positions, faces });
   }
 
   /** Deforms body-locally towards C x 3 targets. Rejects with "superseded" when a newer drag overtakes it. */

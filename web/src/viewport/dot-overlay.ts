@@ -199,6 +199,7 @@ export class DotOverlay {
 function dress({ button, dot, on }: DotMark, joint: string | null): void {
   button.classList.add("dot", on);
   button.classList.toggle("unpaired", joint === null);
+  button.classList.toggle("offered", dot.offered ?? false);
   button.classList.toggle("square", dot.number > COLOURS.length);
   button.dataset["dot"] = dot.id;
   const i = ((dot.number - 1) % COLOURS.length) + 1;
@@ -206,7 +207,7 @@ function dress({ button, dot, on }: DotMark, joint: string | null): void {
   button.style.setProperty("--on-c", `var(--on-p${i}, ${i === 4 || i === 7 ? "#fff" : "#0b1117"})`);
   const span = button.firstElementChild as HTMLSpanElement;
   span.className = "mark";
-  span.textContent = String(dot.number);
+  span.textContent = dot.offered ? "+" : String(dot.number);
   const pair = joint === null ? "not paired" : on === "model" ? `follows ${joint}` : `on the human: ${joint}`;
-  button.setAttribute("aria-label", `${dot.number}, ${dot.name}, ${pair}`);
+  button.setAttribute("aria-label", dot.offered ? `Add a point: ${dot.name}` : `${dot.number}, ${dot.name}, ${pair}`);
 }

@@ -35,6 +35,8 @@ export interface Dot {
   joint: number;
   /** The pair is our guess: its line is dashed pencil. */
   guess?: boolean;
+  /** Not a point yet: a dashed mark that a click takes. */
+  offered?: boolean;
 }
 
 export type ViewMode =

@@ -4,7 +4,7 @@ import { BOX_OBJ, dance, documentOf, drop, open, pause, settled, shared, vertice
 
 const text = (name: string, content: string) => ({ name, bytes: Buffer.from(content) });
 
-test("a model, a skeleton and a motion dropped together: points and pairs make it dance", async ({ page }) => {
+test("a model, a skeleton and a motion dropped together dance at once; other points and pairs do too", async ({ page }) => {
   const files = ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"].map(shared);
   test.skip(files.includes(null), "the test data is not beside the repository");
   await open(page);
@@ -13,7 +13,26 @@ test("a model, a skeleton and a motion dropped together: points and pairs make i
   await expect.poll(async () => (await documentOf(page)).motion.files, { timeout: 60_000 }).toEqual(["02.asf", "02_01.amc"]);
   const opened = await documentOf(page);
   expect(opened.mesh.file).toBe("spot.obj");
-  expect(opened.points).toEqual([]);
+  await expect(page.getByText(/^Guessed 7 points/)).toBeVisible({ timeout: 60_000 });
+  const guessed = await documentOf(page);
+  expect(guessed.mesh.facing).toBe("-z");
+  expect(guessed.points.map((point) => point.joint)).toContain("head");
+  await settled(page);
+  expect(await vertices(page, 40)).not.toEqual(await vertices(page, 0));
+
+  // Other places are offered, and one click takes one.
+  await page.getByRole("button", { name: "Points", exact: true }).click();
+  await expect(page.getByRole("button", { name: "Add a point: Left tip" })).toBeVisible();
+  await page.getByRole("button", { name: "+ Left tip" }).click();
+  expect((await documentOf(page)).points).toHaveLength(8);
+  await expect(page.getByRole("button", { name: "Add a point: Left tip" })).toHaveCount(0);
+  await page.keyboard.press("Control+z");
+  expect((await documentOf(page)).points).toEqual(guessed.points);
+
+  // One step takes the whole guess back.
+  await page.keyboard.press("Control+z");
+  expect((await documentOf(page)).points).toEqual([]);
+  await page.getByRole("button", { name: "Add", exact: true }).click();
   await expect(page.getByText("Click a place on the model, then the joint that moves it.").first()).toBeVisible();
 
   for (const [k, joint] of ["head", "lhand", "rhand"].entries()) {

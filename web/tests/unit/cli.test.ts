@@ -13,6 +13,7 @@ import { saveProject } from "../../src/io/project-file";
 import { parseProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
 import { hasShared, sharedFile } from "../support/files";
+import { post } from "./engine-support";
 
 const web = fileURLToPath(new URL("../../", import.meta.url));
 const program = join(web, "bin/rigless.js");
@@ -117,6 +118,35 @@ describe("rigless bake", () => {
     });
 });
 
+describe("rigless bake without a project", () => {
+  const HOP = join(web, "assets/motions/hop.bvh");
+
+  it("guesses how a model stands and what moves it, and says so", async () => {
+    const { positions, faces } = post();
+    const rows = (kind: string, numbers: number[]): string => Array.from({ length: numbers.length / 3 }, (_, n) => `${kind} ${numbers.slice(3 * n, 3 * n + 3).join(" ")}\n`).join("");
+    writeFileSync(join(folder, "post.obj"), rows("v", [...positions]) + rows("f", Array.from(faces, (v) => v + 1)));
+    const run = await rigless("bake", "post.obj", HOP, "--out", "dance.glb", "--track", "track.json");
+    expect(run).toMatchObject({ code: 0, stdout: "" });
+    expect(run.stderr).toContain("note: post.obj is taken to stand with +y up and to look along +z; its sides are alike.\n");
+    expect(run.stderr).toContain("note: guessed 4 points: Head follows Head, Left foot follows LeftFoot, Right foot follows RightFoot, Hips follows Hips.\n");
+    expect((await validateBytes(bytesOf("dance.glb"))).issues.numErrors).toBe(0);
+    expect(trackOf("track.json").points.length).toBeGreaterThan(1);
+  });
+
+  it.skipIf(!hasShared)("walks a cow that nobody has said anything about (skipped where ../shared/data is absent)", async () => {
+    for (const file of ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"]) writeFileSync(join(folder, basename(file)), sharedFile(file).bytes);
+    const run = await rigless("bake", "spot.obj", "02_01.amc", "02.asf", "--track", "track.json");
+    expect(run.code).toBe(0);
+    expect(run.stderr).toContain("note: spot.obj is taken to stand with +y up and to look along -z; its sides are alike.\n");
+    expect(run.stderr).toContain("Head follows head");
+    const track = trackOf("track.json");
+    expect(track.source).toMatchObject({ model: "spot.obj", motion: ["02.asf", "02_01.amc"] });
+    // It goes somewhere, with all four hooves on the ground by turns.
+    expect(Math.hypot(track.root[85][0] - track.root[0][0], track.root[85][2] - track.root[0][2])).toBeGreaterThan(0.5);
+    expect(track.contacts.runs.filter((runs) => runs.length > 0)).toHaveLength(4);
+  });
+});
+
 describe("what cannot be done", () => {
   const project = (change: object): string => JSON.stringify({
     version: 1, mesh: { file: "bean.obj" }, motion: { files: ["hop.bvh"] }, points: [{ id: "a", name: "a", position: [0, 0, 0], joint: null }], ...change,
@@ -173,16 +203,25 @@ describe("what cannot be done", () => {
       "dance.glb would hold 5.5 GB, more than a GLB can: --every 2 keeps fewer of its 37,201 frames.");
   });
 
+  it("takes one model and one motion", async () => {
+    const bake = (...files: string[]): string[] => ["bake", ...files, "--out", "dance.glb"];
+    expect(await refused({ "bean.obj": bean, "hop.bvh": hop }, ...bake("bean.obj", "no.bvh"))).toBe("no.bvh: there is no such file.");
+    expect(await refused({ "two.obj": bean }, ...bake("bean.obj", "two.obj"))).toBe(
+      "one model and one motion are needed, but among bean.obj, two.obj there are 2 and 0.");
+    expect(await refused({ "a.amc": ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n" }, ...bake("bean.obj", "a.amc"))).toContain("needs its skeleton");
+  });
+
   it("does not begin when there is no place for the result", async () => {
     expect(await refused({ "project.json": project({}) }, "bake", "project.json", "--out", "no/where.glb")).toBe("no/where.glb: there is no folder no.");
     expect(await refused({}, "bake", "project.json", "--out", ".")).toBe(".: it is a folder.");
   });
 
   it("asks for what it needs", async () => {
-    expect(await refused({}, "bake")).toBe("bake needs a project. See rigless --help.");
+    expect(await refused({}, "bake")).toBe("bake needs a project, or a model and a motion. See rigless --help.");
     expect(await refused({}, "bake", "a.json")).toBe("bake needs --out, --track or both.");
     expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--every", "0")).toBe('--every should be a whole number from 1, but it is "0".');
     expect(await refused({}, "bake", "a.json", "b.json", "--out", "a.glb")).toBe('bake takes one project; "b.json" is too much.');
+    expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe("bake needs a motion too: rigless bake a.obj motion.bvh --out dance.glb");
     expect(await refused({}, "bake", "--louder")).toContain("--louder");
     expect(await refused({}, "boil")).toBe('"boil" is no command. See rigless --help.');
   });

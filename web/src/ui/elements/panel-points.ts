@@ -19,8 +19,16 @@ export class PointsPanel extends SessionElement {
       <h2>Points <button class="btn line" aria-pressed=${session.pairing.adding} @click=${() => session.pairing.toggleAdd()}>${session.pairing.adding ? "Done" : "Add"}</button></h2>
       ${points.length === 0 ? html`<p class="note">Click a place on the model, then the joint that moves it.</p>` : nothing}
       <ul>${points.map((point, k) => this.renderPoint(point, k + 1))}</ul>
+      ${this.renderPlaces()}
       ${points.length > 0 ? html`<p class="keys"><span><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> move 1 cm</span><span><kbd>Shift</kbd> finer</span></p>` : nothing}
     </section>`;
+  }
+
+  private renderPlaces() {
+    const { guesses } = this.session;
+    if (guesses.places.length === 0) return nothing;
+    return html`<p class="note">Other good places:</p><div class="row-acts">${guesses.places.map(({ id, name }) =>
+      html`<button class="btn pencil" @click=${() => guesses.take(guesses.offerId(id))}>+ ${name}</button>`)}</div>`;
   }
 
   private renderPoint(point: Point, number: number) {

@@ -2,6 +2,7 @@ import * as commands from "../../document/commands";
 import type { Gesture } from "../../document/store";
 import type { MeshRef, ProjectDocument } from "../../document/types";
 import { EngineError } from "../../engine/types";
+import type { Model } from "../../io/model";
 import { baseName } from "../../io/named-file";
 import type { NamedFile } from "../../io/named-file";
 import { readModelInWorker } from "../../io/read-model-in-worker";
@@ -9,7 +10,7 @@ import type { FoundMotion } from "../../io/read-motion-files";
 import type { SortedFiles } from "../../io/sort-files";
 import { pairingNotes } from "../../sync/prepare";
 import type { Taken } from "../../sync/workspace";
-import { modelText, motionText } from "./file-words";
+import { guessText, modelText, motionText } from "./file-words";
 import type { JobHandle } from "./jobs";
 import type { NoticeInput } from "./notices";
 import type { MotionEntry } from "./motions";
@@ -65,8 +66,9 @@ export class Opening {
         const gesture = Symbol("open");
         if (sorted.project) await this.project(named, job, gesture);
         else {
-          await this.model(sorted, job, gesture);
+          const opened = await this.model(sorted, job, gesture);
           await this.motions(sorted.motions, job, gesture);
+          if (opened) await this.guess(opened, job);
         }
         const nothing = !sorted.project && sorted.models.length === 0 && sorted.motions.length === 0;
         for (const problem of sorted.problems) this.refuse(problem, nothing);
@@ -88,23 +90,45 @@ export class Opening {
     this.say({ title: `${opened.document.name} is open.`, text: model.notes.join(" "), actions: [session.undoAction()] });
   }
 
-  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<void> {
+  /** Answers the model if it was opened. */
+  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<Model | null> {
     const [first, ...others] = sorted.models;
-    if (!first) return;
+    if (!first) return null;
     const { session } = this;
+    let opened: Model | null = null;
     await this.guarded(baseName(first.name), async () => {
       const beside = sorted.files.filter((file) => !sorted.models.includes(file));
       const model = await readModelInWorker([first, ...beside], { signal: job.signal });
       job.step(2);
       const file = await this.sources.keepModel(first.name, model, [first, ...beside]);
-      const mesh: MeshRef = { file, facing: "+z", up: "+y" };
+      const guess = await session.guesses.of(model);
+      const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }) };
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
       const { report } = await this.change(named(commands.setMesh(mesh)(session.document)), job, gesture);
       session.goodbye();
-      session.setVerb("points");
+      opened = model;
       this.say({ ...modelText(model, mesh, report), icon: "scale", actions: [session.undoAction()] });
     });
     for (const other of others) this.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
+    return opened;
+  }
+
+  /** Makes a model that just came dance at once, as a step of its own; where that cannot be, the person makes the points. */
+  private async guess(model: Model, job: JobHandle): Promise<void> {
+    const { session } = this;
+    const guess = await session.guesses.of(model);
+    const { document } = session;
+    try {
+      if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
+      await this.change(commands.addPoints(guess.points)(document), job);
+      session.setVerb(null);
+      this.say({ ...guessText(guess.points), icon: "points", actions: [session.undoAction()] });
+    } catch (error) {
+      if (!(error instanceof EngineError)) throw error;
+      if (error.code === "cancelled") return;
+      session.setVerb("points");
+      this.say({ title: "We found no places to hold it by.", text: "Click a place on the model, then the joint that moves it.", icon: "points" });
+    }
   }
 
   private async motions(motions: readonly FoundMotion[], job: JobHandle, gesture: Gesture): Promise<void> {

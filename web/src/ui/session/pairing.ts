@@ -39,6 +39,7 @@ export class Pairing {
   }
 
   dot(id: string, on: "model" | "human"): void {
+    if (this.session.guesses.take(id)) return;
     if (this.waiting && on === "human") {
       const point = this.session.document.points.find((other) => other.id === id);
       if (point?.joint) {

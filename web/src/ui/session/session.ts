@@ -19,6 +19,7 @@ import { Builtins } from "./builtins";
 import { Dragging } from "./dragging";
 import type { Drag } from "./dragging";
 import { nextFacing, withUp } from "./facing";
+import { Guesses } from "./guesses";
 import { Jobs } from "./jobs";
 import { Meter } from "./meter";
 import { Motions } from "./motions";
@@ -73,6 +74,7 @@ export class Session extends Emitter<SessionEvents> {
   readonly thumbnails = new Thumbnails(this);
   readonly points = new Points(this);
   readonly pairing = new Pairing(this);
+  readonly guesses = new Guesses(this);
   readonly poses = new Poses(this);
   readonly builtins = new Builtins();
   readonly motions = new Motions(this);
@@ -268,6 +270,8 @@ export class Session extends Emitter<SessionEvents> {
     this.viewport?.setMode(verb === "points" ? "points" : "pose");
     if (verb === "points" && this.model && this.document.points.length === 0) this.pairing.start();
     else if (verb !== "points") this.pairing.stop();
+    if (verb === "points") void this.guesses.offer();
+    this.show.dots();
     this.emit("verb", undefined);
   }
 
@@ -305,6 +309,7 @@ export class Session extends Emitter<SessionEvents> {
   }
 
   showFrame(): void { this.show.frame(); }
+  showDots(): void { this.show.dots(); }
 
   private documentChanged(): void {
     if (this.selected && !this.document.points.some((point) => point.id === this.selected)) this.selected = null;

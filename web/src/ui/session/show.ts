@@ -1,6 +1,7 @@
 import { toStage } from "../../document/stage";
 import type { Model } from "../../io/model";
 import { meshInput, pointVertices, retargetInput, stageFor } from "../../sync/prepare";
+import type { SolverModel } from "../../sync/prepare";
 import type { Dot } from "../../viewport/types";
 import type { Session } from "./session";
 
@@ -66,7 +67,16 @@ export class Show {
     const vertices = pointVertices(model, document.points);
     const pairs = motion ? retargetInput(model, { ...document, examples: [] }, motion).pairs : null;
     const dots = document.points.map(({ id, name }, k): Dot => ({ id, number: k + 1, name, vertex: vertices[k], joint: pairs?.[k] ?? -1 }));
-    session.viewport?.setDots(dots, session.selected);
+    session.viewport?.setDots([...dots, ...this.offers(model)], session.selected);
+  }
+
+  /** Places where the model may be held as well. */
+  private offers(model: SolverModel): Dot[] {
+    const { session } = this;
+    if (session.verb !== "points") return [];
+    const { places } = session.guesses;
+    const vertices = pointVertices(model, places);
+    return places.map(({ id, name }, k): Dot => ({ id: session.guesses.offerId(id), number: 1, name, vertex: vertices[k], joint: -1, offered: true }));
   }
 
   frame(): void {

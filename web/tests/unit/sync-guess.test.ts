@@ -1,0 +1,44 @@
+import { describe, expect, it } from "vitest";
+
+import type { BodyPoint, Understanding } from "../../src/engine/types";
+import { guessPoints, guessProject } from "../../src/sync/guess";
+
+const MODEL = { positions: Float32Array.from({ length: 24 }, (_, i) => [0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 1][i % 12]), faces: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+
+const point = (role: BodyPoint["role"], side: BodyPoint["side"], partner: number, wanted = true): BodyPoint => (
+  { vertex: 1, role, side, partner, radius: 0.4, wanted });
+
+const SAID: Understanding = {
+  up: "+y", facing: "-x", symmetry: { point: [0, 0, 0], normal: [0, 0, 1], misfit: 0.01 },
+  points: [
+    point("foot", "left", 1), point("foot", "right", 0), point("foreleg", "left", -1), point("head", null, 3), point("chest", null, 4),
+    point("tip", "left", 6, false), point("tip", "right", 5, false), point("tip", "left", -1, false),
+  ],
+};
+
+const joints = (...names: string[]) => names.map((name) => ({ name, parent: -1 }));
+
+describe("guessing points", () => {
+  it("pairs by role, whatever the skeleton calls its joints; forelegs go with the foot across", () => {
+    const pairs = (...names: string[]) => guessPoints(MODEL, SAID, joints(...names)).points.map((p) => p.joint);
+    expect(pairs("Hips", "LeftFoot", "RightFoot", "Head")).toEqual(["Head", "RightFoot", "LeftFoot", "RightFoot", null]);
+    expect(pairs("root", "lfoot", "rfoot", "head")).toEqual(["head", "rfoot", "lfoot", "rfoot", null]);
+    expect(pairs("mixamorig:LeftFoot", "mixamorig:RightFoot")).toEqual([null, "mixamorig:RightFoot", "mixamorig:LeftFoot", "mixamorig:RightFoot", null]);
+    expect(pairs("a", "b")).toEqual([null, null, null, null, null]);
+  });
+
+  it("names points by what they are, knows partners by id, and keeps what a body does not need apart", () => {
+    const { mesh, points, more } = guessPoints(MODEL, SAID, []);
+    expect(mesh).toEqual({ up: "+y", facing: "-x" });
+    expect(points.map((p) => p.name)).toEqual(["Head", "Left foreleg", "Left foot", "Right foot", "Chest"]);
+    expect(points).toMatchObject([{ mirror: "head" }, { mirror: undefined }, { mirror: "right-foot" }, { mirror: "left-foot" }, { mirror: "chest" }]);
+    expect(more).toMatchObject([{ id: "left-tip", mirror: "right-tip" }, { id: "left-tip-2", mirror: undefined }, { id: "right-tip", mirror: "left-tip" }]);
+    expect(points[2]).toMatchObject({ position: [2, 0, 0], radius: 0.1 }); // 0.4 of 4 units
+  });
+
+  it("makes a whole project", () => {
+    expect(guessProject("Cow", "cow.obj", ["a.bvh"], MODEL, SAID, joints("Head"))).toMatchObject({
+      name: "Cow", mesh: { file: "cow.obj", up: "+y", facing: "-x" }, motion: { files: ["a.bvh"] }, points: { length: 5 }, examples: [],
+    });
+  });
+});
