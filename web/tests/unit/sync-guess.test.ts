@@ -31,8 +31,10 @@ describe("guessing points", () => {
     const { mesh, points, more } = guessPoints(MODEL, SAID, []);
     expect(mesh).toEqual({ up: "+y", facing: "-x" });
     expect(points.map((p) => p.name)).toEqual(["Head", "Left foreleg", "Left foot", "Right foot", "Chest"]);
-    expect(points).toMatchObject([{ mirror: "head" }, { mirror: undefined }, { mirror: "right-foot" }, { mirror: "left-foot" }, { mirror: "chest" }]);
-    expect(more).toMatchObject([{ id: "left-tip", mirror: "right-tip" }, { id: "left-tip-2", mirror: undefined }, { id: "right-tip", mirror: "left-tip" }]);
+    expect(points).toMatchObject([{ mirror: "head" }, { id: "left-foreleg" }, { mirror: "right-foot" }, { mirror: "left-foot" }, { mirror: "chest" }]);
+    expect(points[1]).not.toHaveProperty("mirror");
+    expect(more[1]).not.toHaveProperty("mirror");
+    expect(more).toMatchObject([{ id: "left-tip", mirror: "right-tip" }, { id: "left-tip-2" }, { id: "right-tip", mirror: "left-tip" }]);
     expect(points[2]).toMatchObject({ position: [2, 0, 0], radius: 0.1 }); // 0.4 of 4 units
   });
 
