@@ -134,12 +134,15 @@ class BodyReader {
     return S(0.3) * tall_;
   }
 
-  void add(std::int32_t node, BodyRole role, bool wanted, S least = S(0.04), S most = S(0.1)) {
+  // A head keeps its shape as a whole, faces being what one looks at.
+  void add(std::int32_t node, BodyRole role, bool wanted) {
     if (node < 0) return;
     for (const BodyPoint<S>& p : points_)
       if (apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
-    const S radius = std::clamp(thickness(node), least * tall_, most * tall_);
-    const bool central = role == BodyRole::head || role == BodyRole::hips || role == BodyRole::chest;
+    const bool head = role == BodyRole::head;
+    const bool central = head || role == BodyRole::hips || role == BodyRole::chest;
+    const S radius = head ? std::clamp(S(2) * thickness(node), S(0.08) * tall_, S(0.2) * tall_)
+                          : std::clamp(thickness(node), S(0.04) * tall_, S(0.1) * tall_);
     points_.push_back({node, role, central ? 0 : side(node), -1, radius, wanted});
   }
 
@@ -187,16 +190,18 @@ class BodyReader {
     }
   }
 
-  // On two legs the belly, which is nearest to everything, and the chest above it; on four the rump and the withers.
+  // On two legs the belly and the chest above it; on four the rump and the withers. They are offered only: what the
+  // limbs and the head do to a trunk looks better than what a human's trunk does to a stranger's.
   void add_trunk() {
     if (legs_ >= 4) {
-      add(back_over(BodyRole::foot), BodyRole::hips, true, S(0.06), S(0.12));
-      add(back_over(BodyRole::foreleg), BodyRole::chest, true, S(0.06), S(0.12));
+      add(back_over(BodyRole::foot), BodyRole::hips, false);
+      add(back_over(BodyRole::foreleg), BodyRole::chest, false);
       return;
     }
-    const S center = place(center_).y();
-    add(front_at(center), BodyRole::hips, true, S(0.06), S(0.12));
-    add(front_at((center + place(head_).y()) / S(2)), BodyRole::chest, false);
+    // The middle of all is above the belly, since arms and head count.
+    const S belly = S(0.72) * place(center_).y();
+    add(front_at(belly), BodyRole::hips, false);
+    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, false);
   }
 
   std::int32_t front_at(S height) const {
