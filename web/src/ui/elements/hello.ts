@@ -3,6 +3,7 @@ import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
+import { withArticle } from "../words";
 
 /** The part of the stage that the words and the chips take, for whoever frames figures. */
 export interface HelloBoxes {
@@ -21,7 +22,7 @@ export class Hello extends SessionElement {
       :host { display: block; pointer-events: none; }
       :host([hidden]) { display: none; }
       .line { position: absolute; top: 20px; left: 0; right: 0; text-align: center; font: var(--t-display); font-weight: 400; letter-spacing: -.01em; padding: 0 16px; text-wrap: balance; }
-      .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; gap: 8px; justify-content: center; }
+      .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; flex-wrap: wrap; gap: 8px; justify-content: center; }
       .chip { pointer-events: auto; display: inline-flex; align-items: center; gap: 6px; min-height: max(36px, var(--hit)); padding: 0 16px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--ink); font: var(--t-strong); --frame: var(--lift-1); box-shadow: var(--frame); cursor: pointer; white-space: nowrap; transition: transform var(--bounce) var(--squash); }
       .chip:hover { background: var(--desk); }
       .chip:active { transform: scale(1.04, .92); }
@@ -37,12 +38,14 @@ export class Hello extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const { other } = session.motions;
+    const performer = session.cast.next;
+    const motion = session.motions.next;
     if (!session.hello || session.verb !== null) return "";
     return html`
-      ${session.notices.shown.length > 0 ? "" : html`<p class="line">This cactus has no bones. <b>Drag any dot.</b></p>`}
+      ${session.notices.shown.length > 0 ? "" : html`<p class="line">This ${session.modelName.toLowerCase()} has no bones. <b>Drag any dot.</b></p>`}
       <div class="chips">
-        ${other ? html`<button class="chip" @click=${() => session.useMotion(other)}>${session.motions.invitation}</button>` : ""}
+        ${performer ? html`<button class="chip" @click=${() => session.usePerformer(performer)}>Try ${withArticle(performer.name.toLowerCase())}</button>` : ""}
+        ${motion ? html`<button class="chip" @click=${() => session.useMotion(motion)}>Try another dance</button>` : ""}
         <button class="chip" @click=${() => session.pickFiles()}>${icon("file")}Use my model</button>
       </div>
     `;

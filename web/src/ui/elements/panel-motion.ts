@@ -1,24 +1,33 @@
 import { html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
-import { icon } from "../icons";
 import { base, panel } from "../styles";
-import { count, figure, seconds, stem } from "../words";
+import { count, figure, seconds } from "../words";
+import { gallery, galleryStyle } from "./gallery";
 
 @customElement("rigless-panel-motion")
 export class MotionPanel extends SessionElement {
-  protected readonly topics = ["document", "solve"] as const;
-  static override styles = [base, panel];
+  protected readonly topics = ["document", "solve", "coming"] as const;
+  static override styles = [base, panel, galleryStyle];
 
   protected override render() {
     const { session } = this;
-    const motion = session.motion;
+    const { motion, builtins, motions } = session;
     return html`<section class="panel" aria-label="Motion">
       <h2>Motion <button class="btn line" @click=${() => session.pickFiles("motion")}>Open</button></h2>
-      <ul>${session.motions.list.map((entry) => html`<li>
-        <button class="item" aria-pressed=${session.motions.isPlaying(entry)} @click=${() => session.useMotion(entry)}>
-          ${icon("motion")}<span>${stem(entry.files.at(-1) ?? "")}</span><small>${entry.builtin ? "built in" : ""}</small></button></li>`)}
-      </ul>
+      ${gallery(motions.list.map((entry) => {
+        const file = entry.files.at(-1) ?? "";
+        const dance = entry.builtin ? builtins.motions.find((other) => other.file === file) : undefined;
+        return {
+          name: entry.name,
+          detail: dance ? `${entry.name}, ${seconds(dance.seconds)}` : file,
+          picture: dance ? builtins.picture(dance) : null,
+          fallback: "motion",
+          chosen: motions.isPlaying(entry),
+          coming: session.coming === file,
+          choose: () => session.useMotion(entry),
+        };
+      }))}
       ${motion ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)}; ${count(motion.joints.length, "joint")}.
         ${Math.abs(motion.source.fps - 30) > 0.01 ? `The file has ${figure(motion.source.fps)} a second.` : ""}</p>` : ""}
     </section>`;

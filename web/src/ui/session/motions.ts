@@ -4,6 +4,7 @@ import type { Session } from "./session";
 export interface MotionEntry {
   files: readonly string[];
   builtin: boolean;
+  name: string;
 }
 
 /** The motions that can be played: built-in ones and those that were opened. */
@@ -12,23 +13,21 @@ export class Motions {
 
   get list(): readonly MotionEntry[] {
     const { builtins, workspace } = this.session;
-    const builtin = builtins.motions.map((file) => ({ files: [file], builtin: true }));
+    const builtin = builtins.motions.map(({ file, name }) => ({ files: [file], builtin: true, name }));
     const known = new Set(builtin.map((entry) => entry.files.join("\n")));
     const opened = workspace.library.motionFiles.filter((files) => !known.has(files.join("\n")));
-    return [...builtin, ...opened.map((files) => ({ files, builtin: false }))];
+    return [...builtin, ...opened.map((files) => ({ files, builtin: false, name: stem(files.at(-1) ?? "") }))];
   }
 
   isPlaying(entry: MotionEntry): boolean {
     return entry.files.join("\n") === this.session.document.motion.files.join("\n");
   }
 
-  /** The built-in one that does not play now. */
-  get other(): MotionEntry | undefined {
-    return this.list.find((entry) => entry.builtin && !this.isPlaying(entry));
-  }
-
-  /** "Try a walk" */
-  get invitation(): string {
-    return `Try a ${stem(this.other?.files.at(-1) ?? "")}`;
+  /** The built-in one after the one that plays now, around the end. */
+  get next(): MotionEntry | undefined {
+    const builtin = this.list.filter((entry) => entry.builtin);
+    const now = builtin.findIndex((entry) => this.isPlaying(entry));
+    const next = builtin[(now + 1) % builtin.length];
+    return next && this.isPlaying(next) ? undefined : next;
   }
 }

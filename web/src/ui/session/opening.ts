@@ -10,6 +10,8 @@ import type { FoundMotion } from "../../io/read-motion-files";
 import type { SortedFiles } from "../../io/sort-files";
 import { pairingNotes } from "../../sync/prepare";
 import type { Taken } from "../../sync/workspace";
+import type { Character } from "./builtins";
+import type { Performer } from "./cast";
 import { guessText, modelText, motionText } from "./file-words";
 import type { JobHandle } from "./jobs";
 import type { NoticeInput } from "./notices";
@@ -19,37 +21,81 @@ import type { Sources } from "./sources";
 
 /** From files to the document. What cannot be opened leaves everything as it was and says so. */
 export class Opening {
+  /** The file of the performer or motion that was chosen and is not there yet. */
+  coming: string | null = null;
+
   constructor(
     private readonly session: Session,
     private readonly sources: Sources,
   ) {}
 
-  /** The cactus and its dance, as one step; false if that failed. */
-  async builtin({ first }: { first: boolean }): Promise<boolean> {
-    return this.guarded("The cactus", async () => {
-      const { session } = this;
-      const { builtins } = session;
-      const motionFile = builtins.motions[0] ?? "";
-      const [document, bytes, text] = await Promise.all([builtins.project(), builtins.modelBytes(), builtins.motionText(motionFile)]);
-      const model = await readModelInWorker([{ name: builtins.model.file, bytes }]);
-      const motion = this.sources.keepMotion([motionFile], { format: "bvh", name: motionFile, text });
-      const file = await this.sources.keepModel(document.mesh.file, model, [{ name: builtins.model.file, bytes }]);
-      const next = { ...document, mesh: { ...document.mesh, file }, motion: { files: motion } };
-      if (first) session.store.replace(next);
-      else await this.change(next);
+  /** The cactus and its dance, to begin with; false if that failed. */
+  async first(): Promise<boolean> {
+    const { session } = this;
+    const [character] = session.builtins.characters;
+    return this.guarded(character.name, async () => {
+      const file = session.builtins.motions[0]?.file ?? "";
+      const [document, text] = await Promise.all([this.character(character), session.builtins.motionText(file)]);
+      const files = this.sources.keepMotion([file], { format: "bvh", name: file, text });
+      session.store.replace({ ...document, motion: { files } });
       session.markSaved();
     });
   }
 
-  async useMotion({ files, builtin }: MotionEntry): Promise<void> {
+  /** Someone else takes over the dance, with the points and poses they came with or left with. One step. */
+  async usePerformer(performer: Performer): Promise<void> {
     const { session } = this;
+    const { file, name, character } = performer;
+    if (session.cast.isOnStage(performer)) return this.stay();
+    await this.inTurn(file, name, async (job, isNewest) => {
+      const { cast } = session;
+      const own = cast.remembered(file) ?? (character && (await this.character(character)));
+      if (!own || !isNewest()) return;
+      job.step(1);
+      const { saved } = session;
+      const { motion, settings: { inPlace } } = session.document;
+      await this.change({ ...own, motion, settings: { ...own.settings, inPlace } }, job);
+      if (saved) session.markSaved();
+    });
+  }
+
+  async useMotion(entry: MotionEntry): Promise<void> {
+    const { session } = this;
+    const { files, builtin, name } = entry;
+    if (session.motions.isPlaying(entry)) return this.stay();
     const file = files.at(-1) ?? "";
-    await this.guarded(file, async () => {
+    await this.inTurn(file, name, async (job, isNewest) => {
       if (builtin && !session.workspace.library.motion(files)) {
         this.sources.keepMotion(files, { format: "bvh", name: file, text: await session.builtins.motionText(file) });
       }
-      await this.change(commands.setMotion({ files })(session.document));
+      if (!isNewest()) return;
+      job.step(1);
+      await this.change(commands.setMotion({ files })(session.document), job);
     });
+  }
+
+  /** The project of a character of ours, its model kept. */
+  private async character(character: Character): Promise<ProjectDocument> {
+    const { document, bytes } = await this.session.builtins.load(character);
+    const files = [{ name: document.mesh.file, bytes }];
+    const file = await this.sources.keepModel(document.mesh.file, await readModelInWorker(files), files);
+    return { ...document, mesh: { ...document.mesh, file } };
+  }
+
+  /** Of several choices the newest wins, whichever is ready first. */
+  private async inTurn(file: string, name: string, work: (job: JobHandle, isNewest: () => boolean) => Promise<void>): Promise<void> {
+    const { session } = this;
+    this.coming = file;
+    const isNewest = (): boolean => this.coming === file;
+    session.emit("coming", undefined);
+    await this.guarded(file, () => session.jobs.run(name, ["Load", "Bind"], (job) => work(job, isNewest)));
+    if (isNewest()) this.stay();
+  }
+
+  /** Nobody else is to come. */
+  private stay(): void {
+    this.coming = null;
+    this.session.emit("coming", undefined);
   }
 
   /** Whatever was dropped or chosen: a project, or a model, or motions, or both. */

@@ -14,8 +14,9 @@ import type { Insets } from "../../viewport/types";
 import { Viewport } from "../../viewport/viewport";
 import { pickFiles } from "../pick-files";
 import type { FileKind } from "../pick-files";
-import { stem } from "../words";
 import { Builtins } from "./builtins";
+import { Cast } from "./cast";
+import type { Performer } from "./cast";
 import { Dragging } from "./dragging";
 import type { Drag } from "./dragging";
 import { nextFacing, withUp } from "./facing";
@@ -49,6 +50,8 @@ export interface SessionEvents {
   layout: void;
   notices: void;
   jobs: void;
+  /** A character or a motion was chosen, or has arrived. */
+  coming: void;
   thumbs: void;
   hello: void;
   help: void;
@@ -77,6 +80,7 @@ export class Session extends Emitter<SessionEvents> {
   readonly guesses = new Guesses(this);
   readonly poses = new Poses(this);
   readonly builtins = new Builtins();
+  readonly cast = new Cast(this);
   readonly motions = new Motions(this);
   readonly dragging = new Dragging(this);
   readonly sources = new Sources(this.workspace.library);
@@ -99,7 +103,10 @@ export class Session extends Emitter<SessionEvents> {
 
   constructor() {
     super();
-    this.store.subscribe(() => this.documentChanged());
+    this.store.subscribe((document, previous) => {
+      this.cast.remember(previous, document);
+      this.documentChanged();
+    });
     this.player.on("frame", (frame) => {
       this.workspace.focus(frame);
       this.show.frame();
@@ -128,7 +135,7 @@ export class Session extends Emitter<SessionEvents> {
       }
     };
     this.workspace.on("performance", () => setTimeout(build)); // after the engine has been told to bake
-    void this.opening.builtin({ first: true }).then((done) => {
+    void this.opening.first().then((done) => {
       if (!done) build();
     });
   }
@@ -152,6 +159,8 @@ export class Session extends Emitter<SessionEvents> {
   get document(): ProjectDocument { return this.store.document; }
   get motion(): Motion | null { return this.workspace.motion; }
   get report(): MeshReport | null { return this.workspace.report; }
+  /** The file of what was chosen and is not there yet. */
+  get coming(): string | null { return this.opening.coming; }
   get drag(): Drag | null { return this.dragging.active; }
 
   /** The dance, unless points came or went since it was solved. */
@@ -168,7 +177,7 @@ export class Session extends Emitter<SessionEvents> {
   get model(): SolverModel | undefined { return this.workspace.library.model(this.document.mesh.file); }
 
   get modelName(): string {
-    const name = stem(this.document.mesh.file);
+    const name = this.cast.present?.name ?? "";
     return name.charAt(0).toUpperCase() + name.slice(1);
   }
 
@@ -228,7 +237,7 @@ export class Session extends Emitter<SessionEvents> {
   }
 
   openFiles(files: readonly File[]): Promise<void> { return this.opening.files(files); }
-  openBuiltin(): void { void this.opening.builtin({ first: false }); }
+  usePerformer(performer: Performer): void { void this.opening.usePerformer(performer); }
   useMotion(entry: MotionEntry): void { void this.opening.useMotion(entry); }
   save(): Promise<void> { return this.saving.save(); }
   exportModel(): void { void this.saving.exportModel(); }
