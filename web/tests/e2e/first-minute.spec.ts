@@ -112,7 +112,7 @@ test("a slider's travel is one step", async ({ page }) => {
 test("another dance is one click and one undo away", async ({ page }) => {
   await open(page);
   const before = await documentOf(page);
-  await page.getByRole("button", { name: "Try a walk" }).click();
+  await page.getByRole("button", { name: "Try another dance" }).click();
   await expect.poll(async () => (await documentOf(page)).motion.files).toEqual(["walk.bvh"]);
   await settled(page);
   const start = await vertices(page, 0);
