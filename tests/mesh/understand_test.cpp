@@ -203,3 +203,25 @@ TEST_CASE("strange meshes get sound guesses or a clear refusal") {
     CHECK(u.points.size() == 3);
   }
 }
+
+TEST_CASE("a body that says nothing of its posture stands as most files do") {
+  std::vector<Vec3<double>> v;
+  std::vector<Face> f;
+  const int n = 24;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j < 2 * n; ++j) {
+      const double t = 3.14159265358979 * i / n, p = 3.14159265358979 * j / n;
+      v.push_back({std::sin(t) * std::cos(p), std::cos(t), std::sin(t) * std::sin(p)});
+      if (i == n) continue;
+      const int a = 2 * n * i + j, b = 2 * n * i + (j + 1) % (2 * n);
+      f.push_back({a, b, b + 2 * n});
+      f.push_back({a, b + 2 * n, a + 2 * n});
+    }
+  Understanding<double> u;
+  REQUIRE(understand<double>(v, f, u).ok());
+  CHECK(u.posture.up.y() == 1);
+  CHECK(u.posture.front.z() == 1);
+  CHECK(std::abs(u.plane.normal.x()) > 0.99);
+  CHECK(count(u, BodyRole::head, 0) == 1);
+  CHECK(count(u, BodyRole::foot, 1) == 1);
+}

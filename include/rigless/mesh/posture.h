@@ -31,8 +31,8 @@ Vec3<S> mean_of(Span<const Vec3<S>> samples) {
   return mean;
 }
 
-// What speaks for an axis being up: files mostly say +y, some +z; a body stands on two tips or more, its weight is over
-// what it stands on, and a narrow body is upright.
+// What speaks for an axis being up: files mostly say +y, some +z; the weight of a body is over what it stands on, which
+// is mostly two tips or four, and a narrow body is upright.
 template <class S>
 S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<S>& up) {
   const Bounds<S> box = bounds(samples);
@@ -54,9 +54,9 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<
     deep = std::min(deep, box.extent()[k]);
   }
   S score = up.y() > S(0.5) ? S(1) : up.z() > S(0.5) ? S(0.6) : S(0);
-  score += (off.array() <= room.array()).all() ? S(1) : S(0);
-  score += standing >= 2 && standing <= 8 ? S(1) : S(0);
-  score += tall > wide ? S(0.5) : tall < deep ? S(-0.5) : S(0);
+  if ((off.array() <= room.array()).all())
+    score += standing > 8 ? S(1) : standing >= 4 ? S(2.5) : standing >= 2 ? S(2) : S(1);
+  score += tall > S(1.05) * wide ? S(0.5) : tall < S(0.95) * deep ? S(-0.5) : S(0);
   return score;
 }
 

@@ -27,7 +27,7 @@ Status understand(Span<const Vec3<S>> vertices, Span<const Face> faces, Understa
   const std::vector<Vec3<S>> samples = surface_samples(vertices, faces, 6000);
   found.plane = SymmetryFinder<S>(samples).best();
   std::vector<Vec3<S>> tips;
-  for (const Extremity<S>& e : extremities<S>(graph, average, S(0.02) * bounds(vertices).diagonal()))
+  for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * bounds(vertices).diagonal()))
     tips.push_back(graph.position[static_cast<std::size_t>(e.node)]);
   found.posture = guess_posture<S>(samples, tips, found.plane);
   found.points = BodyReader<S>(graph, average, found.posture, found.plane).read();
