@@ -225,3 +225,20 @@ TEST_CASE("a body that says nothing of its posture stands as most files do") {
   CHECK(count(u, BodyRole::head, 0) == 1);
   CHECK(count(u, BodyRole::foot, 1) == 1);
 }
+
+TEST_CASE("arms are left and right, though of unequal height") {
+  // seen from the side this one is exactly symmetric, seen from the front only nearly
+  const std::vector<Block> cactus = {{{-5, 0, -5}, {5, 40, 5}},
+                                     {{5, 18, -1}, {12, 21, 2}},
+                                     {{10, 21, -1}, {13, 31, 2}},
+                                     {{-12, 14, -1}, {-5, 17, 2}},
+                                     {{-13, 17, -1}, {-10, 26, 2}}};
+  const BlockBody<float> body = build_blocks<float>(cactus);
+  Understanding<float> u;
+  REQUIRE(understand<float>(body.vertices, body.faces, u).ok());
+  check_sound(u, body.vertices);
+  CHECK(u.posture.front.z() == 1);
+  CHECK(count(u, BodyRole::hand, 1) == 1);
+  CHECK(count(u, BodyRole::hand, -1) == 1);
+  CHECK(count(u, BodyRole::head, 0) == 1);
+}

@@ -65,24 +65,38 @@ class SymmetryFinder {
   }
 
   // The plane that fits best among those of the axes and of the principal directions, turned and moved until it fits
-  // no better. What is equally good goes to the axis that comes first, x, then z. No allocation.
-  SymmetryPlane<S> best() const {
+  // no better. What is equally good goes to the axis that comes first, x, then z. Of two that fit well the one across
+  // which tips of the body lie in pairs is preferred: arms are left and right. No allocation.
+  SymmetryPlane<S> best(Span<const Vec3<S>> tips) const {
     SymmetryPlane<S> best;
     Mat3<S> spread = Mat3<S>::Zero();
     for (const Vec3<S>& p : samples_) spread += (p - center_) * (p - center_).transpose();
     const Mat3<S> principal = svd3(spread).V;
+    S least = std::numeric_limits<S>::max();
     for (int k = 0; k < 6; ++k) {
       const Vec3<S> axis = k < 3 ? Vec3<S>::Unit(2 * k % 3) : Vec3<S>(principal.col(k - 3));
       SymmetryPlane<S> candidate = measured(k < 3 ? middle() : center_, axis);
       if (candidate.misfit > S(0.035)) continue;
       candidate = refined(candidate);
-      if (candidate.misfit < best.misfit - S(0.002)) best = candidate;
+      const S cost = candidate.misfit - (pairs_tips(candidate, tips) ? S(0.01) : S(0));
+      if (cost >= least - S(0.002)) continue;
+      least = cost;
+      best = candidate;
     }
     return best;
   }
 
  private:
   Vec3<S> middle() const { return (box_.low + box_.high) / S(2); }
+
+  bool pairs_tips(const SymmetryPlane<S>& plane, Span<const Vec3<S>> tips) const {
+    for (const Vec3<S>& a : tips) {
+      if (std::abs(plane.side(a)) < S(0.08) * box_.diagonal()) continue;
+      for (const Vec3<S>& b : tips)
+        if ((plane.mirror(a) - b).norm() < S(0.14) * box_.diagonal()) return true;
+    }
+    return false;
+  }
 
   // A plane in which nearly all of the mesh lies says nothing.
   SymmetryPlane<S> measured(const Vec3<S>& point, const Vec3<S>& normal) const {

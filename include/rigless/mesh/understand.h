@@ -25,10 +25,10 @@ Status understand(Span<const Vec3<S>> vertices, Span<const Face> faces, Understa
   const SurfaceGraph<S> graph = surface_graph(vertices, faces);
   const std::vector<S> average = average_geodesic(graph);
   const std::vector<Vec3<S>> samples = surface_samples(vertices, faces, 6000);
-  found.plane = SymmetryFinder<S>(samples).best();
   std::vector<Vec3<S>> tips;
   for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * bounds(vertices).diagonal()))
     tips.push_back(graph.position[static_cast<std::size_t>(e.node)]);
+  found.plane = SymmetryFinder<S>(samples).best(tips);
   found.posture = guess_posture<S>(samples, tips, found.plane);
   found.points = BodyReader<S>(graph, average, found.posture, found.plane).read();
   out = std::move(found);
