@@ -30,6 +30,8 @@ export interface Point {
   readonly joint: string | null;
   /** Geodesic radius of its disc in model heights; default 0.05. */
   readonly radius?: number;
+  /** Id of the same point on the other side; its own in the middle. One that is not there counts as none. */
+  readonly mirror?: string;
 }
 
 /** "When the human does this, my model does that." */

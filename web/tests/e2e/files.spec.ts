@@ -17,6 +17,7 @@ test("a model, a skeleton and a motion dropped together dance at once; other poi
   const guessed = await documentOf(page);
   expect(guessed.mesh.facing).toBe("-z");
   expect(guessed.points.map((point) => point.joint)).toContain("head");
+  expect(guessed.points.find((point) => point.name === "Left foot")?.mirror).toBe("right-foot");
   await settled(page);
   expect(await vertices(page, 40)).not.toEqual(await vertices(page, 0));
 

@@ -13,7 +13,7 @@ const project: ProjectDocument = {
   motion: { files: ["02.asf", "02_01.amc"] },
   points: [
     { id: "p1", name: "left hand", position: [0.1, -2e-7, 3], joint: "lhand" },
-    { id: "p2", name: "top", position: [1, 2, 3], joint: null, radius: 0.1 },
+    { id: "p2", name: "top", position: [1, 2, 3], joint: null, radius: 0.1, mirror: "p2" },
   ],
   examples: [
     { id: "e1", source: { motion: "02_01.amc", frame: 12 }, joints: { root: [0, 0, 0], lhand: [1, 2, 3] }, points: { p1: [1, 1, 1] } },
@@ -136,7 +136,7 @@ describe("the schema", () => {
     const values = [null, true, -1, 0, 0.5, 2, 1e13, "", "+x", "text", [], [1, 2, 3], [1, null, 3], {}, { a: [1, 2, 3] }];
     const paths: Path[] = [
       ["version"], ["name"], ["mesh"], ["mesh", "file"], ["mesh", "up"], ["mesh", "more"], ["motion", "files"],
-      ["points", 0, "position"], ["points", 0, "joint"], ["points", 1, "radius"], ["examples"], ["examples", 0, "source"],
+      ["points", 0, "position"], ["points", 0, "joint"], ["points", 1, "radius"], ["points", 1, "mirror"], ["examples"], ["examples", 0, "source"],
       ["examples", 0, "source", "frame"], ["examples", 0, "joints"], ["examples", 0, "joints", "root"], ["settings"], ["settings", "inPlace"],
     ];
     for (const path of paths) {
