@@ -3,7 +3,7 @@
 
 import CameraControls from "camera-controls";
 import { Box3, Matrix4, PerspectiveCamera, Quaternion, Raycaster, Sphere, Spherical, Vector2, Vector3, Vector4 } from "three";
-import { AZIMUTH, ELEVATION, FIELD_OF_VIEW, frame, pixelsPerMetre, TARGET_HEIGHT, type Content, type View } from "./framing";
+import { AZIMUTH, ELEVATION, FIELD_OF_VIEW, frame, pixelsPerMetre, TARGET_HEIGHT, turned, type Content, type View } from "./framing";
 
 CameraControls.install({ THREE: { Box3, Matrix4, Quaternion, Raycaster, Sphere, Spherical, Vector2, Vector3, Vector4 } });
 
@@ -17,19 +17,22 @@ export interface Projected {
 export class CameraRig {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 80);
   readonly controls: CameraControls;
-  /** Metres that the framing asks for. */
+  /** Metres that the framing asks for; with a camera in the hand, when the hand last moved it. */
   private distance = 0;
+  /** The hand's distance beside it. */
+  private zoom = 1;
   private view: View = { width: 1, height: 1, insets: { left: 0, top: 0, right: 0, bottom: 0 } };
   private content: Content = { width: 2.7, height: 1.75, depth: 1 };
   private readonly shift = new Vector2();
   private readonly shiftGoal = new Vector2();
-  /** The user moved the camera: we no longer choose its distance. */
+  /** The user moved the camera: from now on we only step back with figures that come apart. */
   private byHand = false;
   /** There is something in the picture. */
   private shown = false;
   /** It was seen: from now on the camera moves smoothly. */
   private placed = false;
   private readonly scratch = new Vector3();
+  private readonly spherical = new Spherical();
 
   constructor(element: HTMLElement, private readonly still: boolean, onInput: () => void) {
     const controls = new CameraControls(this.camera, element);
@@ -44,6 +47,8 @@ export class CameraRig {
     controls.restThreshold = 0.002;
     controls.addEventListener("control", () => {
       this.byHand = true;
+      this.distance = frame(this.view, this.seen()).distance;
+      this.zoom = controls.getSpherical(this.spherical).radius / this.distance;
       onInput();
     });
     controls.addEventListener("transitionstart", onInput);
@@ -66,6 +71,7 @@ export class CameraRig {
   fit(): void {
     this.byHand = false;
     this.distance = 0;
+    this.zoom = 1;
     const smooth = this.placed && !this.still;
     void this.controls.setTarget(0, TARGET_HEIGHT, 0, smooth);
     void this.controls.rotateTo(AZIMUTH, Math.PI / 2 - ELEVATION, smooth);
@@ -117,16 +123,22 @@ export class CameraRig {
     this.controls.dispose();
   }
 
+  /** The content from where the hand turned the camera to. */
+  private seen(): Content {
+    return turned(this.content, this.controls.getSpherical(this.spherical).theta - AZIMUTH);
+  }
+
   private reframe(): void {
     if (this.view.width < 2 || this.view.height < 2) return;
-    const framing = frame(this.view, this.content);
+    const { byHand, controls } = this;
+    const framing = frame(this.view, byHand ? this.seen() : this.content);
     this.shiftGoal.set(framing.shiftX, framing.shiftY);
     if (!this.placed) this.shift.copy(this.shiftGoal);
     const grown = framing.distance > this.distance * 1.01;
     const resized = framing.distance < this.distance * 0.8; // a bigger window, not a step aside
-    if (!this.byHand && (grown || resized)) {
+    if (grown || (resized && !byHand)) {
       this.distance = framing.distance;
-      void this.controls.dollyTo(framing.distance, this.placed && !this.still);
+      void controls.dollyTo(this.zoom * framing.distance, this.placed && !this.still);
     }
   }
 }

@@ -5,7 +5,7 @@ import { jointLabel } from "./joint-names";
 import { Mannequin } from "./mannequin";
 import { ModelFigure } from "./model-figure";
 import { HUMAN_WIDTH, type Stage } from "./stage";
-import { SurfacePicker } from "./surface-picker";
+import type { SurfacePicker } from "./surface-picker";
 import type { Theme } from "./theme";
 import type { DrawnHuman, DrawnModel } from "./types";
 
@@ -19,6 +19,7 @@ export class Figures {
   private nextVertices: Float32Array | null = null;
   private nextPose: Float32Array | null = null;
   private viewSize: [number, number] = [1, 1];
+  private rays: typeof SurfacePicker | null = null;
 
   constructor(private readonly stage: Stage, private theme: Theme) {}
 
@@ -26,9 +27,8 @@ export class Figures {
     const { model: lane } = this.stage;
     if (this.model) lane.group.remove(this.model.group);
     this.model?.dispose();
-    this.picker?.dispose();
     this.model = model && new ModelFigure(model);
-    this.picker = this.model && model && new SurfacePicker(this.model.rest, model.faces);
+    this.makePicker();
     this.nextVertices = this.model?.rest ?? null;
     this.ghost = null;
     if (this.model) lane.group.add(this.model.group);
@@ -47,6 +47,12 @@ export class Figures {
     lane.shadow.mesh.visible = false; // until there is a pose
     this.stage.setWidth(lane, human ? HUMAN_WIDTH : 0);
     this.dressHuman();
+  }
+
+  /** Rays can be cast from now on; answers once they can. */
+  async loadRays(): Promise<void> {
+    this.rays = (await import("./surface-picker")).SurfacePicker;
+    this.makePicker();
   }
 
   setVertices(vertices: Float32Array): void {
@@ -113,6 +119,12 @@ export class Figures {
 
   jointLabel(joint: number): string {
     return jointLabel(this.human?.names[joint] ?? "joint");
+  }
+
+  private makePicker(): void {
+    this.picker?.dispose();
+    this.picker = this.model && this.rays && new this.rays(this.model.rest, this.model.model.faces);
+    if (this.model) this.picker?.setVertices(this.model.vertices);
   }
 
   dispose(): void {

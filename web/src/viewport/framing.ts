@@ -67,6 +67,12 @@ export function frame(view: View, content: Content): Framing {
   };
 }
 
+/** The box as it is seen by a camera that turned around it by some radians. */
+export function turned({ width, height, depth }: Content, angle: number): Content {
+  const [c, s] = [Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle))];
+  return { width: c * width + s * depth, height, depth: s * width + c * depth };
+}
+
 /** Where the two figures stand side by side, metres from the middle, so that their boxes do not touch. */
 export function lanes(humanWidth: number, modelWidth: number): { human: number; model: number; width: number } {
   const gap = 0.3;

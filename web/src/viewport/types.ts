@@ -73,6 +73,8 @@ export interface ViewportApi {
   setHuman(human: DrawnHuman | null): void;
   /** J x 3 world metres. */
   setHumanPose(positions: Float32Array): void;
+  /** The next places are those of the clip's beginning, reached by its end: the figures go on from where they are. */
+  beginAgain(): void;
   setDots(dots: readonly Dot[], selected: string | null): void;
   /** Two rings around a dot of the model, three times, for a first visit; null stops them. */
   pulse(id: string | null): void;

@@ -60,6 +60,7 @@ export class Viewport implements ViewportApi {
     this.interaction = new Interaction(this.root, this.rig, this.hand, this.marks, this.events, () => this.refreshMarks(),
       () => performance.now() - this.movedAt < 1200);
     this.listenToContext(canvas);
+    this.listenForHand();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
     this.resize();
@@ -103,6 +104,11 @@ export class Viewport implements ViewportApi {
 
   pulse(id: string | null): void {
     this.marks.overlay.pulse(id);
+  }
+
+  /** The clip began again: the figures go on from where they are, on ground that goes on under them. */
+  beginAgain(): void {
+    this.stage.beginAgain();
   }
 
   setMode(mode: ViewMode): void {
@@ -247,6 +253,20 @@ export class Viewport implements ViewportApi {
     this.figures.setTheme(theme);
     this.thumbnails.setDark(theme.dark);
     this.invalidate();
+  }
+
+  /** Nothing asks what lies under the pointer, or what hides a dot, before there is a hand. */
+  private listenForHand(): void {
+    const hand = new AbortController();
+    for (const name of ["pointerenter", "pointerdown", "focusin"] as const) {
+      this.root.addEventListener(name, () => {
+        hand.abort();
+        void this.figures.loadRays().then(() => {
+          this.marks.occlusionStale = true;
+          this.refreshMarks();
+        });
+      }, { signal: AbortSignal.any([hand.signal, this.abort.signal]) });
+    }
   }
 
   private listenToContext(canvas: HTMLCanvasElement): void {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { arcControls, arcPath, arcPoint } from "../../src/viewport/arc";
-import { ELEVATION, frame, freeRectangle, lanes, NEAREST, pixelsPerMetre, TARGET_HEIGHT, type View } from "../../src/viewport/framing";
+import { ELEVATION, frame, freeRectangle, lanes, NEAREST, pixelsPerMetre, TARGET_HEIGHT, turned, type View } from "../../src/viewport/framing";
 
 const content = { width: 2.7, height: 1.75, depth: 1 };
 const desktop: View = { width: 1280, height: 456, insets: { left: 104, top: 80, right: 288, bottom: 48 } };
@@ -33,6 +33,14 @@ describe("framing", () => {
   test("an open stage is seen from 5.2 m", () => {
     const view = { width: 1280, height: 456, insets: { left: 0, top: 0, right: 0, bottom: 0 } };
     expect(frame(view, content).distance).toBe(NEAREST);
+  });
+
+  test("from its side a box is as wide as it was deep, and between two views wider than either", () => {
+    const aside = turned(content, Math.PI / 2);
+    expect(aside.width).toBeCloseTo(content.depth, 9);
+    expect(aside.depth).toBeCloseTo(content.width, 9);
+    expect(turned(content, -0.3).width).toBeGreaterThan(content.width);
+    expect(turned(content, Math.PI).width).toBeCloseTo(content.width, 9);
   });
 
   test("figures that walk apart make the camera step back", () => {

@@ -4,6 +4,8 @@ import { Emitter } from "../../sync/emitter";
 export interface PlayerEvents {
   /** The frame to show changed. */
   frame: number;
+  /** The end was reached and the beginning comes next. */
+  again: void;
   /** Playing, loop, speed or the length changed. */
   state: void;
 }
@@ -88,8 +90,10 @@ export class Player extends Emitter<PlayerEvents> {
     this.last = now;
     const length = this.frames / FPS;
     if (this.time >= length) {
-      if (this.loop) this.time %= length;
-      else {
+      if (this.loop) {
+        this.time %= length;
+        this.emit("again", undefined);
+      } else {
         this.time = (this.frames - 1) / FPS;
         this.pause();
       }

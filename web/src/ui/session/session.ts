@@ -112,6 +112,7 @@ export class Session extends Emitter<SessionEvents> {
       this.show.frame();
       this.emit("frame", undefined);
     });
+    this.player.on("again", () => this.viewport?.beginAgain());
     this.player.on("state", () => this.emit("play", undefined));
     this.notices.on("change", () => this.emit("notices", undefined));
     this.jobs.on("change", () => this.emit("jobs", undefined));
