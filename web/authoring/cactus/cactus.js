@@ -11,6 +11,6 @@ export function makeCactus() {
   const triangles = cactus.faces.map((f) => f.v);
   const skin = paintCactus(cactus);
   const png = encodePng(skin.size, skin.size, skin.rgb);
-  const glb = encodeGlb({ name: "Cactus", vertices: cactus.vertices, triangles, uv: skin.uv, png, roughness: 0.75, crease: 50 });
+  const glb = encodeGlb({ name: "Cactus", vertices: cactus.vertices, triangles, uv: skin.uv, png, roughness: 0.75 });
   return { glb, png, report: reportMesh(cactus.vertices, triangles), vertices: cactus.vertices };
 }

@@ -1,28 +1,15 @@
-// A minimal GLB: one mesh, one material with a picture.
-import { add, cross, dot, normalize, sub } from "./vec3.js";
+// A minimal GLB: one mesh, one material with a picture. No normals: whoever draws it smooths the welded surface, as it must
+// in every frame of a dance anyway.
 
-/** Normals per face corner: area-weighted over the vertex's faces that turn away from this one by less than `crease` degrees. */
-function cornerNormals(vertices, triangles, crease) {
-  const areaNormal = triangles.map(([a, b, c]) => cross(sub(vertices[b], vertices[a]), sub(vertices[c], vertices[a])));
-  const around = vertices.map(() => []);
-  triangles.forEach((t, f) => t.forEach((v) => around[v].push(f)));
-  const limit = Math.cos((crease * Math.PI) / 180);
-  const unit = areaNormal.map(normalize);
-  return triangles.map((t, f) =>
-    t.map((v) => normalize(around[v].filter((g) => dot(unit[f], unit[g]) >= limit).reduce((sum, g) => add(sum, areaNormal[g]), [0, 0, 0]))),
-  );
-}
-
-/** Corners with equal position, normal and texture coordinate become one vertex. Texture coordinates are 16-bit, as glTF allows. */
-function indexCorners(vertices, triangles, uv, normals) {
+/** Corners with equal position and texture coordinate become one vertex. Texture coordinates are 16-bit, as glTF allows. */
+function indexCorners(vertices, triangles, uv) {
   const seen = new Map();
   const corners = [];
   const indices = triangles.flatMap((t, f) =>
     t.map((v, k) => {
       const st = uv[f][k].map((x) => Math.round(x * 65535));
-      const n = normals[f][k];
-      const key = [v, ...st, ...n.map((x) => Math.round(x * 1e4))].join();
-      if (!seen.has(key)) seen.set(key, corners.push({ p: vertices[v], n, st }) - 1);
+      const key = [v, ...st].join();
+      if (!seen.has(key)) seen.set(key, corners.push({ p: vertices[v], st }) - 1);
       return seen.get(key);
     }),
   );
@@ -32,11 +19,10 @@ function indexCorners(vertices, triangles, uv, normals) {
 const pad = (buffer, fill) => Buffer.concat([buffer, Buffer.alloc((4 - (buffer.length % 4)) % 4, fill)]);
 
 /** triangles: vertex triples; uv: per triangle three [u, v]; png: a file's bytes. */
-export function encodeGlb({ name, vertices, triangles, uv, png, roughness, crease }) {
-  const { corners, indices } = indexCorners(vertices, triangles, uv, cornerNormals(vertices, triangles, crease));
+export function encodeGlb({ name, vertices, triangles, uv, png, roughness }) {
+  const { corners, indices } = indexCorners(vertices, triangles, uv);
   const blocks = [
     Buffer.from(Float32Array.from(corners.flatMap((c) => c.p)).buffer),
-    Buffer.from(Float32Array.from(corners.flatMap((c) => c.n)).buffer),
     Buffer.from(Uint16Array.from(corners.flatMap((c) => c.st)).buffer),
     pad(Buffer.from(Uint16Array.from(indices).buffer), 0),
     pad(png, 0),
@@ -49,18 +35,17 @@ export function encodeGlb({ name, vertices, triangles, uv, png, roughness, creas
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ name, mesh: 0 }],
-    meshes: [{ name, primitives: [{ attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 }, indices: 3, material: 0 }] }],
+    meshes: [{ name, primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2, material: 0 }] }],
     materials: [{ name, pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0, roughnessFactor: roughness } }],
     textures: [{ source: 0, sampler: 0 }],
     samplers: [{ magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 }],
-    images: [{ name, mimeType: "image/png", bufferView: 4 }],
+    images: [{ name, mimeType: "image/png", bufferView: 3 }],
     accessors: [
       { bufferView: 0, componentType: 5126, count: corners.length, type: "VEC3", min: bound(Math.min), max: bound(Math.max) },
-      { bufferView: 1, componentType: 5126, count: corners.length, type: "VEC3" },
-      { bufferView: 2, componentType: 5123, normalized: true, count: corners.length, type: "VEC2" },
-      { bufferView: 3, componentType: 5123, count: indices.length, type: "SCALAR" },
+      { bufferView: 1, componentType: 5123, normalized: true, count: corners.length, type: "VEC2" },
+      { bufferView: 2, componentType: 5123, count: indices.length, type: "SCALAR" },
     ],
-    bufferViews: [view(0, 34962), view(1, 34962), view(2, 34962), view(3, 34963, indices.length * 2), view(4, 0, png.length)],
+    bufferViews: [view(0, 34962), view(1, 34962), view(2, 34963, indices.length * 2), view(3, 0, png.length)],
     buffers: [{ byteLength: blocks.reduce((sum, b) => sum + b.length, 0) }],
   };
   const text = pad(Buffer.from(JSON.stringify(json)), 0x20);

@@ -22,7 +22,7 @@ export function gallery(tiles: readonly Tile[]) {
       <span>${tile.name}</span>${tile.coming ? html`<b></b>` : ""}</button></li>`)}</ul>`;
 }
 
-/** As many pictures as authoring/pictures draws. */
+/** As many pictures as authoring/figures/pictures.ts draws. */
 const FRAMES = 8;
 
 export const galleryStyle = css`

@@ -19,10 +19,12 @@ export class Hello extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { display: block; pointer-events: none; }
+      :host { display: block; pointer-events: none; container-type: inline-size; }
       :host([hidden]) { display: none; }
       .line { position: absolute; top: 20px; left: 0; right: 0; text-align: center; font: var(--t-display); font-weight: 400; letter-spacing: -.01em; padding: 0 16px; text-wrap: balance; }
       .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; flex-wrap: wrap; gap: 8px; justify-content: center; }
+      /* over the switch of views, where both would not fit in one line */
+      @media (min-width: 720px) { @container (max-width: 940px) { .chips { bottom: 68px; } } }
       .chip { pointer-events: auto; display: inline-flex; align-items: center; gap: 6px; min-height: max(36px, var(--hit)); padding: 0 16px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--ink); font: var(--t-strong); --frame: var(--lift-1); box-shadow: var(--frame); cursor: pointer; white-space: nowrap; transition: transform var(--bounce) var(--squash); }
       .chip:hover { background: var(--desk); }
       .chip:active { transform: scale(1.04, .92); }

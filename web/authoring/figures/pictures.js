@@ -1,6 +1,6 @@
 // Draws the pictures that the galleries show: for each character its own dance, for each motion the mannequin.
 // They are drawn here and not in the page, because the page would have to load and solve every one of them first.
-// Run: node authoring/pictures/build.js [id or file...]   (the page's WASM must have been built)
+// Run: node web/authoring/figures/pictures.js [id or file...]   (the page's WASM must have been built)
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { chromium } from "@playwright/test";
@@ -37,7 +37,7 @@ const place = ({ project }) => {
   return { folder: new URL(".", url).href, project: url.pathname.split("/").at(-1) };
 };
 const draw = async (path, performance) => {
-  await page.goto("http://127.0.0.1:5305/authoring/pictures/index.html");
+  await page.goto("http://127.0.0.1:5305/authoring/figures/pictures.html");
   await page.waitForFunction(() => "draw" in window, null, { timeout: 60_000 });
   const url = await page.evaluate((input) => window.draw(input), performance);
   const bytes = Buffer.from(url.split(",")[1], "base64");
