@@ -1,10 +1,11 @@
 // Everything that can be done to a document. Each command is a small pure function; an unknown id or a value that is
 // already there gives the same document back.
 
+import { forgetPoint } from "./clips";
 import type { Command } from "./store";
 import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings } from "./types";
 
-export const DEFAULT_SETTINGS: Settings = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
+export const DEFAULT_SETTINGS: Settings = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };
 
 /** A project that has a model and a motion and says nothing else yet. */
 export function newDocument(name: string, mesh: MeshRef, motion: MotionRef): ProjectDocument {
@@ -14,7 +15,7 @@ export function newDocument(name: string, mesh: MeshRef, motion: MotionRef): Pro
 export const renameProject = (name: string): Command => (document) => change(document, { name });
 
 /** Another model. Points and examples are places on the old one, so they go. */
-export const setMesh = (mesh: MeshRef): Command => (document) => ({ ...document, mesh, points: [], examples: [] });
+export const setMesh = (mesh: MeshRef): Command => ({ clips: _, ...document }) => ({ ...document, mesh, points: [], examples: [] });
 
 /** Says how the same model stands. Points and examples are in the file's own axes, so they stay. */
 export const turnMesh = (facing: Axis, up: Axis): Command => (document) =>
@@ -37,14 +38,34 @@ export const renamePoint = (id: string, name: string): Command => updatePoint(id
 /** Lets a joint drive a point; null: it follows the whole pose. */
 export const pairPoint = (id: string, joint: string | null): Command => updatePoint(id, { joint });
 
-/** Takes a point away, from the examples too. */
+/** Takes a point away, from the examples, the clips and its partner too. */
 export const removePoint = (id: string): Command => (document) => {
   if (!has(document.points, id)) return document;
   const examples = document.examples.map((example) =>
     Object.hasOwn(example.points, id)
       ? { ...example, points: Object.fromEntries(Object.entries(example.points).filter(([key]) => key !== id)) }
       : example);
-  return { ...document, points: document.points.filter((point) => point.id !== id), examples };
+  const points = document.points.filter((point) => point.id !== id).map((point) => {
+    if (point.mirror !== id) return point;
+    const { mirror: _, ...alone } = point;
+    return alone;
+  });
+  const clips = forgetPoint(document.clips, id);
+  return { ...document, points, examples, ...(clips && { clips }) };
+};
+
+/** Says that two points are each other's mirror image; one alone: it lies in the middle; null: it has no partner. */
+export const pairMirror = (id: string, partner: string | null): Command => (document) => {
+  const loose = document.points.map((point) => {
+    if (![point.id, point.mirror].some((one) => one !== undefined && (one === id || one === partner))) return point;
+    const { mirror: _, ...alone } = point;
+    return alone;
+  });
+  const with_ = (point: Point): string | null => (point.id === id ? partner : point.id === partner ? id : null);
+  return { ...document, points: loose.map((point) => {
+    const mirror = with_(point);
+    return mirror === null ? point : { ...point, mirror };
+  }) };
 };
 
 export const addExample = (example: Example): Command => (document) =>

@@ -2,7 +2,7 @@
 
 import schema from "./project-schema.json";
 import { findFault, withDefaults } from "./schema";
-import type { ProjectDocument } from "./types";
+import type { Clip, ProjectDocument } from "./types";
 
 const VERSION = 1;
 
@@ -51,7 +51,7 @@ function parseJson(text: string, fileName: string): unknown {
 }
 
 /** What the schema cannot say. */
-function brokenReference({ points, examples }: ProjectDocument): string | null {
+function brokenReference({ points, examples, clips = {} }: ProjectDocument): string | null {
   const ids = new Set<string>();
   for (const [n, { id }] of points.entries()) {
     if (ids.has(id)) return `points[${n}].id is "${id}", which another point has already.`;
@@ -64,5 +64,25 @@ function brokenReference({ points, examples }: ProjectDocument): string | null {
     const stranger = Object.keys(example.points).find((id) => !ids.has(id));
     if (stranger !== undefined) return `examples[${n}].points places "${stranger}", but no point has this id.`;
   }
+  for (const [name, clip] of Object.entries(clips)) {
+    const broken = brokenClip(clip, ids);
+    if (broken) return `clips[${JSON.stringify(name.slice(0, 60))}].${broken}`;
+  }
   return null;
+}
+
+function brokenClip({ pins = [], contacts = {}, flights = [] }: Clip, points: ReadonlySet<string>): string | null {
+  const ids = new Set<string>();
+  for (const [n, { id, point, kind, frame, position }] of pins.entries()) {
+    if (ids.has(id)) return `pins[${n}].id is "${id}", which another pin has already.`;
+    ids.add(id);
+    if (!points.has(point)) return `pins[${n}] holds "${point}", but no point has this id.`;
+    if (kind === "place" && !position) return `pins[${n}].position is missing: a pin of kind "place" says where.`;
+    if (kind === "still" && frame === 0) return `pins[${n}].frame is 0, but no frame comes before it in which its point could stand.`;
+  }
+  const stranger = Object.keys(contacts).find((id) => !points.has(id));
+  if (stranger !== undefined) return `contacts names "${stranger}", but no point has this id.`;
+  const runs = [...Object.entries(contacts).flatMap(([id, list]) => list.map((run) => [`contacts.${id}`, run] as const)), ...flights.map((run) => ["flights", run] as const)];
+  const empty = runs.find(([, [a, b]]) => a >= b);
+  return empty ? `${empty[0]} has a run from ${empty[1][0]} to ${empty[1][1]}, but it should end after it begins.` : null;
 }

@@ -111,6 +111,7 @@ function objectFault(object: Json, rule: Schema, root: Schema, path: string): st
 }
 
 const ORDINALS = ["first", "second", "third", "fourth"];
+const NOUNS: Readonly<Record<string, string>> = { number: "numbers", integer: "whole numbers", string: "texts", array: "lists" };
 const NUMBERS = ["no", "one", "two", "three", "four"];
 
 /** "three numbers", "a number from 0 to 3", "+x, -x, +y, -y, +z or -z" */
@@ -132,7 +133,7 @@ function wantedType(type: string, rule: Schema, root: Schema): string {
       return minLength ? "a text that is not empty" : "a text";
     case "array": {
       const inner = rule.items ? resolve(rule.items, root) : {};
-      const noun = inner.type === "number" ? "numbers" : inner.type === "string" ? "texts" : "objects";
+      const noun = NOUNS[String(inner.type)] ?? "objects";
       if (minItems !== undefined && minItems === maxItems) return `${NUMBERS[minItems] ?? minItems} ${noun}`;
       return minItems ? `a list of ${minItems} to ${maxItems} ${noun}` : `a list of ${noun}`;
     }

@@ -54,6 +54,29 @@ export interface Settings {
   readonly groundContact: boolean;
   /** Root motion in the plane is left out. */
   readonly inPlace: boolean;
+  /** Every pose also teaches its mirror image, through the partners of the points. */
+  readonly symmetry: boolean;
+}
+
+/** A wish about one point at one frame of a clip. */
+export interface Pin {
+  readonly id: string;
+  readonly point: string;
+  /** At 30 fps. */
+  readonly frame: number;
+  /** "place": it is at `position`; "still": it is where it was a frame before. */
+  readonly kind: "place" | "still";
+  /** Body-local, in the model file's own units and axes, as in an example. */
+  readonly position?: Vec3;
+}
+
+/** What was said about one motion on this model, beyond its poses. */
+export interface Clip {
+  readonly pins?: readonly Pin[];
+  /** By point: half-open runs of frames in which it stands, instead of the motion's own. */
+  readonly contacts?: Readonly<Record<string, readonly (readonly [number, number])[]>>;
+  /** Frame pairs: the last that stands before a flight, and the first after it, instead of the motion's own. */
+  readonly flights?: readonly (readonly [number, number])[];
 }
 
 export interface ProjectDocument {
@@ -63,5 +86,7 @@ export interface ProjectDocument {
   readonly motion: MotionRef;
   readonly points: readonly Point[];
   readonly examples: readonly Example[];
+  /** By the motion file's name, without folders. */
+  readonly clips?: Readonly<Record<string, Clip>>;
   readonly settings: Settings;
 }

@@ -1,10 +1,11 @@
 // From what the user said to what the engine is asked, and back: units, axes, nearest vertices, joints by name. Pure.
 
+import { clipOf } from "../document/clips";
 import { boundsOf, fromStage, pointToStage, STAGE_HEIGHT, stageOf, toStage } from "../document/stage";
 import type { Stage } from "../document/stage";
-import type { Example, MeshRef, Point, ProjectDocument, Vec3 } from "../document/types";
+import type { Clip, Example, MeshRef, Pin, Point, ProjectDocument, Vec3 } from "../document/types";
 import { isSameJoint, jointFinder } from "../engine/match-joints";
-import type { ControlInput, Joint, MeshInput, Motion, RetargetInput } from "../engine/types";
+import type { ConstraintInput, ContactInput, ControlInput, Joint, MeshInput, Motion, RetargetInput } from "../engine/types";
 
 /** What of a model the solver knows; file units and axes. */
 export interface SolverModel {
@@ -80,17 +81,56 @@ export function jointsOfPose(joints: readonly Joint[], pose: ArrayLike<number>):
   return Object.fromEntries(joints.map(({ name }, j) => [name, [pose[3 * j], pose[3 * j + 1], pose[3 * j + 2]] as const]));
 }
 
-export function retargetInput(model: SolverModel, document: ProjectDocument, motion: Pick<Motion, "joints">): RetargetInput {
-  const find = jointFinder(motion.joints.map((joint) => joint.name));
-  const { smoothness, volume, groundContact, inPlace } = document.settings;
+export function retargetInput(model: SolverModel, document: ProjectDocument, motion: Pick<Motion, "joints" | "frames">): RetargetInput {
+  const { smoothness, volume, groundContact, inPlace, symmetry } = document.settings;
+  const clip = clipOf(document);
   return {
-    pairs: Int32Array.from(document.points, ({ joint }) => (joint === null ? -1 : find(joint, jointsSaid(document)))),
+    pairs: pointJoints(document, motion),
     examples: document.examples.filter((example) => knows(example, motion)).map((example) => ({
       joints: exampleJoints(example, motion),
       controls: exampleControls(model, document, example),
     })),
     smoothness, volume, groundContact, inPlace,
+    constraints: pinsWithin(clip, motion.frames).map((pin) => constraintOf(model, document, pin)),
+    contacts: contactInputs(document, clip, motion.frames),
+    flights: clip.flights ? within(clip.flights, motion.frames - 1) : null,
+    mirror: symmetry ? pointPartners(document.points) : null,
   };
+}
+
+/** C: the joint of each point in the motion, or -1. */
+export function pointJoints(document: ProjectDocument, motion: Pick<Motion, "joints">): Int32Array {
+  const find = jointFinder(motion.joints.map((joint) => joint.name));
+  return Int32Array.from(document.points, ({ joint }) => (joint === null ? -1 : find(joint, jointsSaid(document))));
+}
+
+/** C: each point's partner, itself in the middle, -1 without one; null if no point has any. */
+export function pointPartners(points: readonly Point[]): Int32Array | null {
+  const partners = points.map(({ id, mirror }) => points.findIndex((other) => other.id === mirror && other.mirror === id));
+  return partners.some((partner) => partner >= 0) ? Int32Array.from(partners) : null;
+}
+
+/** The pins that the solver is asked to keep, in its order. A clip may be shorter than the one that they were made on. */
+export function pinsWithin({ pins = [] }: Clip, frames: number): readonly Pin[] {
+  return pins.filter(({ frame }) => frame < frames);
+}
+
+function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, frame, position }: Pin): ConstraintInput {
+  const control = document.points.findIndex(({ id }) => id === point);
+  if (kind === "still" || !position) return { kind: "still", control, frame };
+  return { kind: "position", control, frame, value: [...pointToStage(stageFor(model, document.mesh), position)] };
+}
+
+function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts = {} }: Clip, frames: number): ContactInput[] {
+  return points.flatMap(({ id }, control) => {
+    const runs = own(contacts, id);
+    return runs ? [{ control, runs: within(runs, frames) }] : [];
+  });
+}
+
+/** Runs as far as they lie in a clip whose last frame may be `end`. */
+function within(runs: readonly (readonly [number, number])[], end: number): [number, number][] {
+  return runs.map(([a, b]): [number, number] => [a, Math.min(b, end)]).filter(([a, b]) => a < b);
 }
 
 /** What the motion's skeleton cannot do for this document, in plain words. */

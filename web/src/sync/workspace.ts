@@ -1,6 +1,7 @@
 // One document and one engine, kept in step: a change re-runs the least that lies behind it, the newest change wins, and a
 // lost engine is replaced and told everything again.
 
+import { clipOf } from "../document/clips";
 import type { ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
 import type { Engine, Frame, MeshReport, Motion, MotionInput, Performance, Understanding } from "../engine/types";
@@ -226,7 +227,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       }
       return;
     }
-    const solved = [document.points, document.examples, document.settings] as const;
+    const solved = [document.points, document.examples, document.settings, clipOf(document)] as const;
     if (this.performance && bound.solved?.every((part, k) => part === solved[k])) return;
     if (signal.aborted) throw new EngineError("cancelled", "Cancelled.");
     this.interruptible = false;

@@ -18,9 +18,9 @@ function example(name: string): string {
 /** Every field's name that a value holds, by path: "points[].id". Keys of `joints` and a pose's `points` are names, not fields. */
 function fields(value: unknown, path = ""): string[] {
   if (Array.isArray(value)) return value.flatMap((item) => fields(item, `${path}[]`));
-  if (typeof value !== "object" || value === null || /joints$|examples\[\]\.points$/.test(path)) return [];
+  if (typeof value !== "object" || value === null || /joints$|examples\[\]\.points$|clips\.\*\.contacts$/.test(path)) return [];
   return Object.entries(value).flatMap(([key, inner]) => {
-    const at = path ? `${path}.${key}` : key;
+    const at = path === "clips" ? "clips.*" : path ? `${path}.${key}` : key;
     return [at, ...fields(inner, at)];
   });
 }
@@ -35,6 +35,8 @@ it("the page's project is one, says everything there is to say, and each field i
     ...(["mesh", "motion", "settings"] as const).flatMap((key) => Object.keys(properties[key].properties).map((inner) => `${key}.${inner}`)),
     ...Object.keys($defs.point.properties).map((key) => `points[].${key}`),
     ...Object.keys($defs.example.properties).map((key) => `examples[].${key}`),
+    ...Object.keys($defs.clip.properties).map((key) => `clips.*.${key}`),
+    ...Object.keys($defs.pin.properties).map((key) => `clips.*.pins[].${key}`),
   ];
   expect(known.filter((field) => !said.has(field))).toEqual([]);
   const explained = known.filter((field) => !["mesh", "motion", "settings"].includes(field));

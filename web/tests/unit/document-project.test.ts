@@ -19,7 +19,17 @@ const project: ProjectDocument = {
     { id: "e1", source: { motion: "02_01.amc", frame: 12 }, joints: { root: [0, 0, 0], lhand: [1, 2, 3] }, points: { p1: [1, 1, 1] } },
     { id: "e2", source: { motion: "02_01.amc", frame: 40 }, joints: { root: [0, 0, 0] }, points: {} },
   ],
-  settings: { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false },
+  clips: {
+    "02_01.amc": {
+      pins: [
+        { id: "n1", point: "p1", frame: 30, kind: "place", position: [1, 0, 2] },
+        { id: "n2", point: "p1", frame: 31, kind: "still" },
+      ],
+      contacts: { p1: [[0, 14], [40, 61]], p2: [] },
+      flights: [[70, 82]],
+    },
+  },
+  settings: { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: false },
 };
 
 type Path = readonly (string | number)[];
@@ -57,7 +67,7 @@ describe("project files", () => {
     const text = JSON.stringify({ version: 1, mesh: { file: "a.obj" }, motion: { files: ["a.bvh"] }, points: [], settings: { volume: 2 } });
     expect(parseProject(text, "a.json").document).toEqual({
       version: 1, name: "", mesh: { file: "a.obj", facing: "+z", up: "+y" }, motion: { files: ["a.bvh"] }, points: [], examples: [],
-      settings: { volume: 2, smoothness: 0.3, groundContact: true, inPlace: false },
+      settings: { volume: 2, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true },
     });
   });
 
@@ -73,6 +83,14 @@ describe("project files", () => {
     ['examples[1].id is "e1", which another example has already.', ["examples", 1, "id"], "e1"],
     ['examples[1].points places "gone", but no point has this id.', ["examples", 1, "points", "gone"], [0, 0, 0]],
     ["examples[1].source.frame should be a whole number from 0 to 1000000000, but it is 1.5.", ["examples", 1, "source", "frame"], 1.5],
+    ['clips["02_01.amc"].pins[1].id is "n2", which another pin has already.', ["clips", "02_01.amc", "pins", 0, "id"], "n2"],
+    ['clips["02_01.amc"].pins[1] holds "tail", but no point has this id.', ["clips", "02_01.amc", "pins", 1, "point"], "tail"],
+    ['clips["02_01.amc"].pins[0].position is missing: a pin of kind "place" says where.', ["clips", "02_01.amc", "pins", 0, "position"], undefined],
+    ['clips["02_01.amc"].pins[1].frame is 0, but no frame comes before it in which its point could stand.', ["clips", "02_01.amc", "pins", 1, "frame"], 0],
+    ['clips["02_01.amc"].pins[0].kind should be place or still, but it is "glue".', ["clips", "02_01.amc", "pins", 0, "kind"], "glue"],
+    ['clips["02_01.amc"].contacts names "tail", but no point has this id.', ["clips", "02_01.amc", "contacts", "tail"], [[0, 1]]],
+    ['clips["02_01.amc"].contacts.p1 has a run from 9 to 9, but it should end after it begins.', ["clips", "02_01.amc", "contacts", "p1"], [[9, 9]]],
+    ['clips["02_01.amc"].flights[0] should be two whole numbers, but it has 3.', ["clips", "02_01.amc", "flights", 0], [1, 2, 3]],
     ['mesh.facing should be +x, -x, +y, -y, +z or -z, but it is "north".', ["mesh", "facing"], "north"],
     ["mesh.file is missing.", ["mesh", "file"], undefined],
     ["motion.files should be a list of 1 to 2 texts, but it has 0.", ["motion", "files"], []],

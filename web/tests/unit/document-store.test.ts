@@ -1,9 +1,10 @@
 import { expect, it } from "vitest";
 
 import {
-  addExample, addPoint, freeId, newDocument, pairPoint, removeExample, removePoint, renamePoint, renameProject,
+  addExample, addPoint, freeId, newDocument, pairMirror, pairPoint, removeExample, removePoint, renamePoint, renameProject,
   setMesh, setMotion, setSettings, turnMesh,
 } from "../../src/document/commands";
+import { clipOf, merged, removePin, setContacts, setFlights, setPin } from "../../src/document/clips";
 import { type Command, DocumentStore } from "../../src/document/store";
 import type { ProjectDocument } from "../../src/document/types";
 
@@ -20,6 +21,10 @@ const steps: Command[] = [
   pairPoint("p2", "lhand"),
   addPoint({ id: "p3", name: "foot", position: [0, 0, 0], joint: null }),
   setSettings({ volume: 2.5 }),
+  pairMirror("p1", "p2"),
+  setPin({ id: "n1", point: "p1", frame: 4, kind: "place", position: [0, 2, 0] }),
+  setContacts("p2", [[0, 9]]),
+  setFlights([[9, 12]]),
   removePoint("p1"),
   setMotion({ files: ["b.asf", "b.amc"] }),
   removeExample("e1"),
@@ -136,4 +141,27 @@ it("another project cannot be undone into the old one", () => {
 it("a free id is one that nobody has", () => {
   expect(freeId(start.points, "p")).toBe("p3");
   expect(freeId(removePoint("p1")(start).points, "p")).toBe("p3");
+});
+
+it("pins replace each other at one frame, runs that touch become one, and a point that goes is forgotten everywhere", () => {
+  const pin = { id: "n1", point: "p1", frame: 4, kind: "place", position: [0, 2, 0] } as const;
+  const commands = [
+    pairMirror("p1", "p2"), setPin(pin), setPin({ ...pin, id: "n2", position: [0, 3, 0] }), setPin({ id: "n3", point: "p2", frame: 2, kind: "still" }),
+    setContacts("p1", [[5, 9], [0, 5], [20, 30]]), setContacts("p2", []), setFlights([[10, 20]]),
+  ];
+  const said = commands.reduce((document, command) => command(document), start);
+  expect(said.points.map(({ mirror }) => mirror)).toEqual(["p2", "p1"]);
+  expect(clipOf(said)).toEqual({
+    pins: [{ id: "n3", point: "p2", frame: 2, kind: "still" }, { ...pin, id: "n2", position: [0, 3, 0] }],
+    contacts: { p1: [[0, 9], [20, 30]], p2: [] }, flights: [[10, 20]],
+  });
+  expect(clipOf({ ...said, motion: { files: ["other.bvh"] } })).toEqual({});
+  expect(clipOf({ ...said, motion: { files: ["folder/a.bvh"] } })).toBe(clipOf(said));
+  const gone = removePoint("p1")(said);
+  expect(gone.points).toEqual([start.points[1]]);
+  expect(clipOf(gone)).toEqual({ pins: [{ id: "n3", point: "p2", frame: 2, kind: "still" }], contacts: { p2: [] }, flights: [[10, 20]] });
+  const motions = [setContacts("p2", null), setFlights(null), removePin("n3")].reduce((document, command) => command(document), gone);
+  expect(clipOf(motions)).toEqual({ pins: [], contacts: {} });
+  expect(removePin("n3")(motions)).toBe(motions);
+  expect(merged([[3, 4], [1, 1], [4, 6]])).toEqual([[3, 6]]);
 });

@@ -45,13 +45,14 @@ describe("what the engine is asked", async () => {
   });
 
   it("joints by exact name, then by plain spelling; what is unknown follows the whole pose and is told", () => {
-    const input = retargetInput(model, document, { joints });
+    const input = retargetInput(model, document, { joints, frames: 60 });
     expect([...input.pairs]).toEqual([2, 1, -1, -1]);
     expect(pairingNotes(document, { joints })).toEqual([
       'm.amc has no joint "dorsal": "fin" follows the whole pose.',
       "Pose 2 was made on another skeleton, and m.amc has none of its joints: it is left out.",
     ]);
-    expect(input).toMatchObject(document.settings);
+    const { symmetry: _, ...settings } = document.settings;
+    expect(input).toMatchObject(settings);
   });
 
   it("joints on another skeleton by their part of the body, which is told", () => {
@@ -59,14 +60,32 @@ describe("what the engine is asked", async () => {
     const said = { ...document, points: [{ ...document.points[0], joint: "lfemur" }], examples: [
       { id: "1", source: { motion: "m", frame: 0 }, joints: { root: [0, 0, 0], lfemur: [1, 2, 3], ltibia: [4, 5, 6] }, points: {} },
     ] } as unknown as ProjectDocument;
-    const input = retargetInput(model, said, { joints: there });
+    const input = retargetInput(model, said, { joints: there, frames: 60 });
     expect([...input.pairs]).toEqual([2]);
     expect([...input.examples[0].joints]).toEqual([0, 0, 0, NaN, NaN, NaN, 1, 2, 3, 4, 5, 6]);
     expect(pairingNotes(said, { joints: there })).toEqual(['m.amc has no joint "lfemur": "top" follows "LeftLeg".']);
   });
 
+  it("pins on the stage, contacts and flights as far as the clip goes, partners that agree with each other", () => {
+    const points = document.points.map((point) => ({ ...point, ...({ a: { mirror: "a" }, b: { mirror: "d" }, c: { mirror: "b" }, d: { mirror: "b" } })[point.id] }));
+    const said: ProjectDocument = { ...document, points, clips: { "m.amc": {
+      pins: [{ id: "1", point: "b", frame: 59, kind: "place", position: [0, 2, 0] }, { id: "2", point: "a", frame: 3, kind: "still" }, { id: "3", point: "a", frame: 60, kind: "still" }],
+      contacts: { d: [[0, 5], [50, 90]], a: [] }, flights: [[50, 80], [70, 80]],
+    } } };
+    const input = retargetInput(model, said, { joints, frames: 60 });
+    expect(input.constraints).toHaveLength(2);
+    expect(input.constraints?.[0]).toMatchObject({ kind: "position", control: 1, frame: 59 });
+    expect(pointFromStage(stage, (input.constraints?.[0] as { value: [number, number, number] }).value)).toEqual([0, 2, 0].map((v) => expect.closeTo(v, 5)));
+    expect(input.constraints?.[1]).toEqual({ kind: "still", control: 0, frame: 3 });
+    expect(input.contacts).toEqual([{ control: 0, runs: [] }, { control: 3, runs: [[0, 5], [50, 60]] }]);
+    expect(input.flights).toEqual([[50, 59]]);
+    expect([...input.mirror ?? []]).toEqual([0, 3, -1, 1]);
+    expect(retargetInput(model, { ...said, settings: { ...said.settings, symmetry: false } }, { joints, frames: 60 }).mirror).toBeNull();
+    expect(retargetInput(model, document, { joints, frames: 60 })).toMatchObject({ constraints: [], contacts: [], flights: null, mirror: null });
+  });
+
   it("examples in the motion's order, NaN for joints that they do not know, rest for points that they do not name", () => {
-    const { examples } = retargetInput(model, document, { joints });
+    const { examples } = retargetInput(model, document, { joints, frames: 60 });
     expect(examples).toHaveLength(1);
     expect([...examples[0].joints]).toEqual([0, 0, 0, NaN, NaN, NaN, 0, 1, 0]);
     const rest = restControls(model, document);

@@ -1,6 +1,6 @@
 import { toStage } from "../../document/stage";
 import type { Model } from "../../io/model";
-import { meshInput, pointVertices, retargetInput, stageFor } from "../../sync/prepare";
+import { meshInput, pointJoints, pointVertices, stageFor } from "../../sync/prepare";
 import type { SolverModel } from "../../sync/prepare";
 import type { Dot } from "../../viewport/types";
 import type { Session } from "./session";
@@ -65,7 +65,7 @@ export class Show {
     const { model, motion, document } = session;
     if (!model || session.workspace.model !== model) return; // the engine is not there yet; model() comes back
     const vertices = pointVertices(model, document.points);
-    const pairs = motion ? retargetInput(model, { ...document, examples: [] }, motion).pairs : null;
+    const pairs = motion && pointJoints(document, motion);
     const dots = document.points.map(({ id, name }, k): Dot => ({ id, number: k + 1, name, vertex: vertices[k], joint: pairs?.[k] ?? -1 }));
     session.viewport?.setDots([...dots, ...this.offers(model)], session.selected);
   }
