@@ -54,9 +54,8 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<
     deep = std::min(deep, box.extent()[k]);
   }
   S score = up.y() > S(0.5) ? S(1) : up.z() > S(0.5) ? S(0.6) : S(0);
-  if ((off.array() <= room.array()).all())
-    score += standing > 8 ? S(1) : standing >= 4 ? S(2.5) : standing >= 2 ? S(2) : S(1);
-  score += tall > S(1.05) * wide ? S(0.5) : tall < S(0.95) * deep ? S(-0.5) : S(0);
+  if ((off.array() <= room.array()).all()) score += standing >= 4 ? S(2.5) : standing >= 2 ? S(2) : S(1);
+  score += tall > S(1.05) * wide ? S(0.7) : tall < S(0.95) * deep ? S(-0.5) : S(0);
   return score;
 }
 

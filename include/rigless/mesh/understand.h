@@ -25,9 +25,13 @@ Status understand(Span<const Vec3<S>> vertices, Span<const Face> faces, Understa
   const SurfaceGraph<S> graph = surface_graph(vertices, faces);
   const std::vector<S> average = average_geodesic(graph);
   const std::vector<Vec3<S>> samples = surface_samples(vertices, faces, 6000);
-  std::vector<Vec3<S>> tips;
-  for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * bounds(vertices).diagonal()))
-    tips.push_back(graph.position[static_cast<std::size_t>(e.node)]);
+  const S diagonal = bounds(vertices).diagonal();
+  std::vector<Vec3<S>> tips;  // those that stand apart: the rim of a disc is one
+  for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * diagonal)) {
+    const Vec3<S>& tip = graph.position[static_cast<std::size_t>(e.node)];
+    const auto near = [&](const Vec3<S>& other) { return (other - tip).norm() < S(0.1) * diagonal; };
+    if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
+  }
   found.plane = SymmetryFinder<S>(samples).best(tips);
   found.posture = guess_posture<S>(samples, tips, found.plane);
   found.points = BodyReader<S>(graph, average, found.posture, found.plane).read();
