@@ -92,7 +92,7 @@ class SymmetryFinder {
   // The two ends of what is longest across the plane are no limbs.
   bool pairs_tips(const SymmetryPlane<S>& plane, Span<const Vec3<S>> tips) const {
     const Vec3<S> across = plane.normal.cwiseAbs().cwiseProduct(box_.extent());
-    if (across.maxCoeff() > S(0.95) * box_.extent().maxCoeff()) return false;
+    if (across.maxCoeff() > S(0.99) * box_.extent().maxCoeff()) return false;
     for (const Vec3<S>& a : tips) {
       if (std::abs(plane.side(a)) < S(0.08) * box_.diagonal()) continue;
       for (const Vec3<S>& b : tips)
