@@ -7,13 +7,14 @@ const STEPS = 8191; // of the longest side: .2 mm of a figure of 1.7 m
 const pad = (bytes, fill = 0) => Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4, fill)]);
 
 /**
- * uv: three [u, v] a triangle, with png; or colors: [r, g, b] of 0 to 255 for each vertex (sRGB). half: vertices with x >= 0 alone, those
+ * uv: three [u, v] a triangle; png: the picture's bytes. half: vertices with x >= 0 alone, those
  * on x = 0 exactly there. Returns the file's bytes.
  */
-export async function encodePackedGlb({ name, vertices, triangles, uv, png, colors, half, roughness }) {
+export async function encodePackedGlb({ name, vertices, triangles, uv, png, half, roughness }) {
   await MeshoptEncoder.ready;
-  const { corners, indices } = join(vertices, triangles, uv);
-  const [remap, count] = MeshoptEncoder.reorderMesh(Uint32Array.from(indices), true, true);
+  const { corners, indices } = join(triangles, uv);
+  const order = Uint32Array.from(indices); // becomes the order that packs best, over the vertices' new numbers
+  const [remap, count] = MeshoptEncoder.reorderMesh(order, true, true);
   const ordered = new Array(count);
   corners.forEach((c, i) => (ordered[remap[i]] = c));
 
@@ -24,10 +25,9 @@ export async function encodePackedGlb({ name, vertices, triangles, uv, png, colo
   const bound = (pick) => [0, 1, 2].map((k) => places.reduce((m, x, i) => (i % 4 === k ? pick(m, x) : m), places[k]));
 
   const blocks = [{ bytes: places, stride: 8, accessor: { componentType: 5122, type: "VEC3", min: bound(Math.min), max: bound(Math.max) }, as: "POSITION" }];
-  if (uv) blocks.push({ bytes: Uint16Array.from(ordered.flatMap((c) => c.st)), stride: 4, accessor: { componentType: 5123, normalized: true, type: "VEC2" }, as: "TEXCOORD_0" });
-  if (colors) blocks.push({ bytes: Uint8Array.from(ordered.flatMap(({ v }) => [...colors[v].map(toLinear), 255])), stride: 4, accessor: { componentType: 5121, normalized: true, type: "VEC4" }, as: "COLOR_0" });
+  blocks.push({ bytes: Uint16Array.from(ordered.flatMap((c) => c.st)), stride: 4, accessor: { componentType: 5123, normalized: true, type: "VEC2" }, as: "TEXCOORD_0" });
   const index = count > 65535 ? Uint32Array : Uint16Array;
-  blocks.push({ bytes: Uint32Array.from(indices, (i) => remap[i]), stride: index.BYTES_PER_ELEMENT, accessor: { componentType: index === Uint32Array ? 5125 : 5123, type: "SCALAR" } });
+  blocks.push({ bytes: order, stride: index.BYTES_PER_ELEMENT, accessor: { componentType: index === Uint32Array ? 5125 : 5123, type: "SCALAR" } });
 
   let [packedAt, plainAt] = [0, 0];
   const binary = [];
@@ -46,11 +46,9 @@ export async function encodePackedGlb({ name, vertices, triangles, uv, png, colo
     plainAt += Math.ceil((n * stride) / 4) * 4;
     return view;
   });
-  if (png) {
-    bufferViews.push({ buffer: 0, byteOffset: packedAt, byteLength: png.length });
-    binary.push(pad(png));
-    packedAt += binary.at(-1).length;
-  }
+  bufferViews.push({ buffer: 0, byteOffset: packedAt, byteLength: png.length });
+  binary.push(pad(png));
+  packedAt += binary.at(-1).length;
   const node = (x) => ({ name, mesh: 0, translation: low, scale: [x * step, step, step] });
   const used = ["EXT_meshopt_compression", "KHR_mesh_quantization"];
   return glb({
@@ -61,12 +59,10 @@ export async function encodePackedGlb({ name, vertices, triangles, uv, png, colo
     scenes: [{ nodes: half ? [0, 1] : [0] }],
     nodes: half ? [node(1), node(-1)] : [node(1)],
     meshes: [{ name, primitives: [{ attributes: Object.fromEntries(blocks.flatMap((b, i) => (b.as ? [[b.as, i]] : []))), indices: blocks.length - 1, material: 0 }] }],
-    materials: [{ name, pbrMetallicRoughness: { ...(png && { baseColorTexture: { index: 0 } }), metallicFactor: 0, roughnessFactor: roughness } }],
-    ...(png && {
-      textures: [{ source: 0, sampler: 0 }],
-      samplers: [{ magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 }],
-      images: [{ name, mimeType: "image/png", bufferView: blocks.length }],
-    }),
+    materials: [{ name, pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0, roughnessFactor: roughness } }],
+    textures: [{ source: 0, sampler: 0 }],
+    samplers: [{ magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 }],
+    images: [{ name, mimeType: "image/png", bufferView: blocks.length }],
     accessors: blocks.map(({ accessor, as }, i) => ({ bufferView: i, count: as ? count : indices.length, ...accessor })),
     bufferViews,
     buffers: [{ byteLength: packedAt }, { byteLength: plainAt, extensions: { EXT_meshopt_compression: { fallback: true } } }],
@@ -74,8 +70,7 @@ export async function encodePackedGlb({ name, vertices, triangles, uv, png, colo
 }
 
 /** Corners with one vertex and one place in the picture are one; places in the picture on a grid of 4096. */
-function join(vertices, triangles, uv) {
-  if (!uv) return { corners: vertices.map((_, v) => ({ v })), indices: triangles.flat() };
+function join(triangles, uv) {
   const seen = new Map();
   const corners = [];
   const indices = triangles.flatMap((t, f) => t.map((v, k) => {
@@ -86,8 +81,6 @@ function join(vertices, triangles, uv) {
   }));
   return { corners, indices };
 }
-
-const toLinear = (c) => Math.round(255 * (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
 
 function glb(json, binary) {
   const text = pad(Buffer.from(JSON.stringify(json)), 0x20);

@@ -35,7 +35,23 @@ export function polygonise(field, [low, high], step, half = false) {
         }
         if (inside !== at(i + 1, j, k) < 0) quad(cell(i, j - 1, k - 1), cell(i, j, k - 1), cell(i, j, k), cell(i, j - 1, k), !inside);
       }
-  return { vertices, triangles };
+  return largest({ vertices, triangles });
+}
+
+/** The largest connected piece: a field may hold bubbles. */
+function largest({ vertices, triangles }) {
+  const parent = vertices.map((_, v) => v);
+  const root = (v) => {
+    while (parent[v] !== v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const [a, b, c] of triangles) parent[root(b)] = parent[root(c)] = root(a);
+  const count = new Map();
+  for (const [a] of triangles) count.set(root(a), (count.get(root(a)) ?? 0) + 1);
+  const main = [...count].reduce((best, entry) => (entry[1] > best[1] ? entry : best))[0];
+  const rank = new Map();
+  const kept = triangles.filter(([a]) => root(a) === main).map((t) => t.map((v) => rank.get(v) ?? (rank.set(v, rank.size), rank.size - 1)));
+  return { vertices: [...rank.keys()].map((v) => vertices[v]), triangles: kept };
 }
 
 /** Values at the grid's points; blocks that lie far from the surface get the value of their middle. */

@@ -1,6 +1,6 @@
 // Isotropic remeshing (Botsch and Kobbelt 2004): split, collapse, flip, relax, and back onto the field.
 import { gradient } from "./sdf.js";
-import { add, clamp, cross, distance, dot, normalize, scale, sub } from "./vec3.js";
+import { add, clamp, cross, distance, dot, length, normalize, scale, sub } from "./vec3.js";
 
 /**
  * mesh: { vertices, triangles }, closed, or one half whose open border lies on x = 0. size(p) is the wished edge length at a
@@ -66,17 +66,18 @@ class Working {
   }
   /** Onto the surface; a vertex of the border stays on x = 0. */
   place(v, p) {
+    let g;
     for (let k = 0; k < 3; k++) {
-      const g = gradient(this.field, p);
+      const d = this.field(p[0], p[1], p[2]);
+      if (k > 0 && Math.abs(d) < 2e-5) break;
+      g = gradient(this.field, p);
+      this.normal[v] = normalize(g);
       if (this.border[v]) g[0] = 0;
-      const step = this.field(...p) / Math.max(dot(g, g), 0.05);
-      p = sub(p, scale(g, step));
-      if (Math.abs(step) < 1e-6) break;
+      p = sub(p, scale(g, clamp(d / Math.max(dot(g, g), 0.1), -0.03, 0.03)));
     }
     if (this.border[v]) p[0] = 0;
     else if (this.open) p[0] = Math.max(p[0], 1e-4);
     this.p[v] = p;
-    this.normal[v] = normalize(gradient(this.field, p));
   }
   compact() {
     const rank = new Map();
@@ -85,7 +86,7 @@ class Working {
   }
 }
 
-const areaOf = (a, b, c) => Math.hypot(...cross(sub(b, a), sub(c, a))) / 2;
+const areaOf = (a, b, c) => length(cross(sub(b, a), sub(c, a))) / 2;
 
 /** An isotropic mesh of edge length L has 2 / (sqrt 3 L^2) vertices for each square metre. */
 function unitLength(m, size, target) {
@@ -139,7 +140,7 @@ function collapse(m, a, b, isFine = () => true) {
     const r = m.faces[f].map((v) => m.p[v]);
     const turned = cross(sub(q[1], q[0]), sub(q[2], q[0]));
     const before = cross(sub(r[1], r[0]), sub(r[2], r[0]));
-    if (dot(turned, before) < 0.6 * Math.hypot(...turned) * Math.hypot(...before) || !isFine(q)) return false;
+    if (dot(turned, before) < 0.6 * length(turned) * length(before) || !isFine(q)) return false;
   }
   for (const f of wings) m.setFace(f, null);
   for (const f of [...m.around[b]]) m.setFace(f, m.faces[f].map((v) => (v === b ? a : v)));
@@ -184,7 +185,7 @@ function flip(m, isBetter) {
     if ([a, b].some((v) => m.around[v].length <= (m.border[v] ? 2 : 3)) || !isBetter(m, a, b, c, d)) continue;
     const facing = (x, y, z) => {
       const n = cross(sub(m.p[y], m.p[x]), sub(m.p[z], m.p[x]));
-      return [x, y, z].every((v) => dot(n, m.normal[v]) > 0.3 * Math.hypot(...n));
+      return [x, y, z].every((v) => dot(n, m.normal[v]) > 0.3 * length(n));
     };
     if (!facing(a, d, c) || !facing(d, b, c)) continue;
     m.setFace(f, [a, d, c]);
@@ -223,7 +224,8 @@ function relax(m, wish) {
 /** Collapses the shortest edge of each triangle with an angle below `degrees`; true if there was one. */
 function mend(m, degrees) {
   let bad = false;
-  for (let f = 0; f < m.faces.length; f++) {
+  const count = m.faces.length; // what is made on the way is seen to in the next round
+  for (let f = 0; f < count; f++) {
     const t = m.faces[f];
     if (!t || leastAngle(...t.map((v) => m.p[v])) > (degrees * Math.PI) / 180) continue;
     bad = true;

@@ -1,12 +1,12 @@
 // The dinosaur's colours, by place: lavender, a cream belly, coral plates.
 import { hex, inEllipse, over, smile, toPath } from "../../kit/brush.js";
-import { mix, smoothstep } from "../../kit/vec3.js";
-import { EYE, plateField, toeField } from "./shape.js";
+import { dot, mix, normalize, scale, smoothstep, sub } from "../../kit/vec3.js";
+import { EYE, plateField, toeField, toHead } from "./shape.js";
 
 const SKIN = hex("#bba4ee");
 const LIGHT = hex("#d9c6fb");
 const SHADE = hex("#8268c4");
-const BELLY = hex("#fff0d9");
+const BELLY = hex("#fff3dc");
 const CORAL = hex("#ff9676");
 const CORAL_DEEP = hex("#f0705c");
 const SPOT = hex("#9c83d9");
@@ -14,11 +14,13 @@ const INK = hex("#17212b");
 const CHEEK = hex("#ff9fb0");
 const WHITE = [255, 255, 255];
 
-const SMILE = [...smile([-0.15, 1.095], [0.15, 1.095], 0.05, 16)];
+const IRIS = hex("#5a478f");
+
+const SMILE = smile([-0.16, 1.1], [0.16, 1.1], 0.055, 16);
 
 // Places on the back and the thigh, and their radius.
 const SPOTS = [[0.2, 0.98, -0.07, 0.035], [0.2, 0.84, -0.12, 0.045], [0.27, 0.66, -0.14, 0.05], [0.2, 0.55, -0.27, 0.04], [0.14, 0.42, -0.42, 0.04],
-  [0.09, 0.36, -0.62, 0.03], [0.34, 0.45, 0.0, 0.045], [0.32, 0.36, -0.09, 0.03], [0.2, 1.2, -0.08, 0.035]];
+  [0.09, 0.36, -0.62, 0.03], [0.34, 0.45, 0.0, 0.045], [0.32, 0.36, -0.09, 0.03], [0.2, 1.32, -0.1, 0.04], [0.25, 1.2, -0.02, 0.03]];
 
 export function paint([px, y, z]) {
   const x = Math.abs(px);
@@ -34,29 +36,32 @@ export function paint([px, y, z]) {
   return face(c, x, y, z);
 }
 
-function face(colour, x, y, z) {
-  if (z < 0.1 || y < 0.95) return colour;
+const LOOK = normalize(EYE.towards);
+const ASIDE = normalize([LOOK[2], 0, -LOOK[0]]);
+const UP = normalize(sub([0, 1, 0], scale(LOOK, LOOK[1])));
+
+function face(colour, ...p) {
+  const [x, y, z] = toHead(p);
+  if (z < 0.1 || y < 0.97) return colour;
   let c = colour;
-  // Jaw lighter than the face.
-  const jaw = y - (1.095 - 0.05 * (1 - (x / 0.15) ** 2));
-  if (z > 0.2 && jaw < 0 && y < 1.1 && x < 0.2) c = over(c, BELLY, 0.85 * smoothstep(0.2, 0.17, x));
-  if (Math.hypot(x - 0.185, y - 1.12, z - 0.33) < 0.05) c = over(c, CHEEK, 0.85);
-  if (z > 0.22 && toPath([x, y], SMILE) < 0.0085) c = INK;
-  if (Math.hypot(x - 0.07, y - 1.2, z - 0.5) < 0.014) c = SHADE;
-  // Eyes, seen from a little aside.
-  const s = x * 0.85 - z * 0.5 - (EYE[0] * 0.85 - EYE[2] * 0.5);
-  const t = y - 1.275;
-  if (z > 0.15 && inEllipse(s, t, [0.0, 0], [0.058, 0.078])) c = WHITE;
-  if (z > 0.15 && inEllipse(s, t, [-0.006, 0], [0.047, 0.066])) {
+  // The jaw is lighter than the face, up to the smile.
+  const lip = 1.1 - 0.055 * (1 - (x / 0.16) ** 2);
+  if (z > 0.2 && y < lip && x < 0.2) c = over(c, BELLY, 0.9 * smoothstep(0.19, 0.165, x));
+  if (Math.hypot(x - 0.178, y - 1.135, z - 0.32) < 0.045) c = over(c, CHEEK, 0.9);
+  if (z > 0.2 && toPath([x, y], SMILE) < 0.0085) c = INK;
+  if (Math.hypot(x - 0.068, y - 1.197, z - 0.472) < 0.012) c = SHADE;
+  const from = sub([x, y, z], EYE.at);
+  if (dot(from, LOOK) < 0) return c;
+  const at = [dot(from, ASIDE), dot(from, UP)];
+  if (inEllipse(...at, [0, 0], [0.058, 0.075])) c = WHITE;
+  if (inEllipse(...at, [-0.004, 0], [0.052, 0.069])) {
     c = INK;
-    if (inEllipse(s, t, [-0.006, -0.035], [0.032, 0.02])) c = hex("#51407f");
-    if (inEllipse(s, t, [-0.02, 0.027], [0.018, 0.021])) c = WHITE;
-    if (inEllipse(s, t, [0.016, -0.024], [0.009, 0.01])) c = WHITE;
+    if (inEllipse(...at, [-0.004, -0.037], [0.035, 0.021])) c = IRIS;
+    if (inEllipse(...at, [-0.02, 0.026], [0.02, 0.024])) c = WHITE;
+    if (inEllipse(...at, [0.014, -0.026], [0.01, 0.011])) c = WHITE;
   }
   return c;
 }
 
-/** The face is one chart, looked at from the front, at twice the texels. */
-export function zone([x, y, z]) {
-  return z > 0.18 && y > 1.0 ? { name: "face", density: 1.7, axis: undefined } : null;
-}
+/** The face has twice the texels. */
+export const zone = (p) => (p[2] > 0.16 && toHead(p)[1] > 0.98 ? { name: "face", density: 1.8 } : null);
