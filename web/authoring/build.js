@@ -1,12 +1,11 @@
-// Writes everything in web/assets. Run: node web/authoring/build.js
+// Writes everything in web/assets, or only what is named. Run: node web/authoring/build.js [cactus dinosaur bird gnome hop walk]
 import { mkdirSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { makeCactus } from "./cactus/cactus.js";
 import { reportMotion } from "./kit/motion-report.js";
+import { makeProject } from "./kit/project.js";
 import { writeBvh } from "./kit/skeleton.js";
 import * as hop from "./motions/hop.js";
 import * as walk from "./motions/walk.js";
-import { makeProject } from "./project.js";
 
 const assets = fileURLToPath(new URL("../assets/", import.meta.url));
 const write = (path, data) => {
@@ -18,13 +17,30 @@ const write = (path, data) => {
 // A vector on one line.
 const toJson = (value) => JSON.stringify(value, null, 1).replace(/\[\s+([-\d.e,\s]+?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, " ")}]`) + "\n";
 
-const cactus = makeCactus();
-const poses = { hop: hop.makeHop(), walk: walk.makeWalk() };
-write("cactus/cactus.glb", cactus.glb);
-write("cactus/project.json", toJson(makeProject(cactus.vertices, poses)));
-write("motions/hop.bvh", writeBvh(poses.hop, hop.FPS));
-write("motions/walk.bvh", writeBvh(poses.walk, walk.FPS));
+const motions = {
+  hop: { file: "hop.bvh", fps: hop.FPS, poses: hop.makeHop(), travels: null },
+  walk: { file: "walk.bvh", fps: walk.FPS, poses: walk.makeWalk(), travels: walk.TRAVELS },
+};
+// Folder in assets, and module.
+const characters = {
+  cactus: ["cactus", "cactus/cactus.js"],
+  dinosaur: ["characters/dinosaur", "characters/dinosaur/dinosaur.js"],
+  bird: ["characters/bird", "characters/bird/bird.js"],
+  gnome: ["characters/gnome", "characters/gnome/gnome.js"],
+};
+const wanted = process.argv.slice(2);
+const isWanted = (name) => wanted.length === 0 || wanted.includes(name);
 
-console.log("cactus", cactus.report);
-console.dir({ hop: reportMotion(poses.hop, hop.FPS, { travels: null }) }, { depth: 4 });
-console.dir({ walk: reportMotion(poses.walk, walk.FPS, { travels: walk.TRAVELS }) }, { depth: 4 });
+for (const [id, [folder, module]] of Object.entries(characters).filter(([name]) => isWanted(name))) {
+  const { make, POINTS, POSES, SETTINGS } = await import(`./${module}`);
+  const { glb, vertices, report } = await make();
+  const name = id[0].toUpperCase() + id.slice(1);
+  write(`${folder}/${id}.glb`, glb);
+  const tables = { points: POINTS, poses: POSES, settings: SETTINGS };
+  write(`${folder}/project.json`, toJson(makeProject({ name, file: `${id}.glb`, vertices, ...tables, motions, opens: "hop", motionsFolder: folder.replace(/[^/]+/g, "..") + "/motions/" })));
+  console.log(id, report);
+}
+for (const [name, { file, fps, poses, travels }] of Object.entries(motions).filter(([id]) => isWanted(id))) {
+  write(`motions/${file}`, writeBvh(poses, fps));
+  console.dir({ [name]: reportMotion(poses, fps, { travels }) }, { depth: 4 });
+}

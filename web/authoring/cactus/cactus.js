@@ -6,7 +6,7 @@ import { paintCactus } from "./paint.js";
 import { buildCactus } from "./shape.js";
 
 /** Gives { glb, png, report, vertices }. */
-export function makeCactus() {
+export function make() {
   const cactus = buildCactus();
   const triangles = cactus.faces.map((f) => f.v);
   const skin = paintCactus(cactus);
@@ -14,3 +14,5 @@ export function makeCactus() {
   const glb = encodeGlb({ name: "Cactus", vertices: cactus.vertices, triangles, uv: skin.uv, png, roughness: 0.75 });
   return { glb, png, report: reportMesh(cactus.vertices, triangles), vertices: cactus.vertices };
 }
+
+export { POINTS, POSES, SETTINGS } from "./project.js";

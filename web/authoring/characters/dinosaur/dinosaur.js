@@ -3,3 +3,5 @@ import { paint, zone } from "./paint.js";
 import { BOX, field, size } from "./shape.js";
 
 export const make = () => makeSymmetric({ name: "Dinosaur", field, box: BOX, step: 0.018, target: 5400, size, paint, zone, picture: 512 });
+
+export { POINTS, POSES, SETTINGS } from "./project.js";

@@ -18,3 +18,5 @@ function shade([x, y, z], [, ny], openness) {
 }
 
 export const make = () => makeScan({ name: "Gnome", field, box: BOX, step: 0.0095, target: 40000, size, shade, ramp });
+
+export { POINTS, POSES, SETTINGS } from "./project.js";

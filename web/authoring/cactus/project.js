@@ -1,13 +1,8 @@
-// The cactus's project: which points follow which joints, and what it does when the human does what.
+// The cactus's points and poses.
 // To change a pose, change the table: moves of the points from rest, in metres of the cactus (1.4 m tall, its left at +x, front +z).
-import { placeJoints } from "./kit/skeleton.js";
-import { rotY, rotate } from "./kit/rotation.js";
-import { distance, sub } from "./kit/vec3.js";
-import * as hop from "./motions/hop.js";
-import * as walk from "./motions/walk.js";
 
 // Wide discs where the shape shall keep its character: the dome of the top, the pot's edges.
-const POINTS = [
+export const POINTS = [
   { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0], radius: 0.17 },
   { id: "right-arm", name: "Right arm", joint: "RightHand", near: [-0.52, 1.05, 0], radius: 0.07 },
   { id: "left-arm", name: "Left arm", joint: "LeftHand", near: [0.52, 1.3, 0], radius: 0.07 },
@@ -16,7 +11,7 @@ const POINTS = [
   { id: "middle", name: "Middle", joint: "Hips", near: [0, 0.57, 0.3], radius: 0.08 },
 ];
 
-const POSES = [
+export const POSES = [
   { id: "rest", motion: "hop", seconds: 0, moves: {} },
   {
     id: "squash", // down on the landing: shorter, rounder, arms out and low
@@ -113,49 +108,4 @@ const POSES = [
   },
 ];
 
-const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
-
-const MOTIONS = {
-  hop: { file: "hop.bvh", fps: hop.FPS },
-  walk: { file: "walk.bvh", fps: walk.FPS },
-};
-
-const round = (v, digits) => v.map((x) => +x.toFixed(digits) + 0);
-
-/** Joints in metres with the root at the origin and the part of the root's turn about the vertical taken out. */
-function bodyLocal(pose) {
-  const { world, turn } = placeJoints(pose);
-  const m = turn.Hips;
-  // Twist of the unit quaternion (w, x, y, z) about y: atan2(y, w), doubled.
-  const yaw = (2 * Math.atan2((m[2] - m[6]) / 4, (1 + m[0] + m[4] + m[8]) / 4) * 180) / Math.PI;
-  const back = rotY(-yaw);
-  return Object.fromEntries(Object.entries(world).map(([name, p]) => [name, round(rotate(back, sub(p, world.Hips)).map((x) => x / 100), 4)]));
-}
-
-const swapSides = (id) => id.replace(/left|right/, (s) => (s === "left" ? "right" : "left"));
-const mirrorMoves = (moves) => Object.fromEntries(Object.entries(moves).map(([id, [x, y, z]]) => [swapSides(id), [-x, y, z]]));
-
-/** vertices: the cactus's; poses: { hop, walk }, each an array of poses per frame. */
-export function makeProject(vertices, poses) {
-  const nearest = (p) => vertices.reduce((best, v) => (distance(v, p) < distance(best, p) ? v : best));
-  const points = POINTS.map(({ id, name, joint, near, radius }) => ({ id, name, position: round(nearest(near), 4), joint, radius }));
-  const example = ({ id, motion, seconds, moves }) => ({
-    id,
-    source: { motion: MOTIONS[motion].file, frame: Math.round(seconds * 30) },
-    joints: bodyLocal(poses[motion][Math.round(seconds * 30) * (MOTIONS[motion].fps / 30)]),
-    points: Object.fromEntries(points.map((p) => [p.id, round(p.position.map((x, k) => x + (moves[p.id]?.[k] ?? 0)), 4)])),
-  });
-  const examples = POSES.flatMap((pose) => [
-    example(pose),
-    ...(pose.mirror ? [example({ ...pose, ...pose.mirror, moves: mirrorMoves(pose.moves) })] : []),
-  ]);
-  return {
-    version: 1,
-    name: "Cactus",
-    mesh: { file: "cactus.glb", facing: "+z", up: "+y" },
-    motion: { files: ["../motions/hop.bvh"] },
-    points,
-    examples,
-    settings: SETTINGS,
-  };
-}
+export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
