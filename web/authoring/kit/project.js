@@ -19,7 +19,7 @@ function bodyLocal(pose) {
   return Object.fromEntries(Object.entries(world).map(([name, p]) => [name, round(rotate(back, sub(p, world.Hips)).map((x) => x / 100), 4)]));
 }
 
-/** A row with `pair` stands for its left one, as written, and the right one; others lie in the middle. */
+/** A row with `pair` stands for its left one, as written, and the right one; the others of such a table lie in the middle. */
 const expand = ({ pair, id, name, joint, near, ...rest }) =>
   pair
     ? [["right", flipped(near)], ["left", near]].map(([side, at]) => ({
@@ -38,7 +38,8 @@ const expand = ({ pair, id, name, joint, near, ...rest }) =>
  */
 export function makeProject({ name, file, vertices, points: rows, poses, settings, motions, opens, motionsFolder }) {
   const nearest = (p) => vertices.reduce((best, v) => (distance(v, p) < distance(best, p) ? v : best));
-  const points = rows.flatMap(expand).map(({ id, name: label, joint, near, radius, mirror }) =>
+  const symmetric = rows.some((row) => row.pair);
+  const points = rows.flatMap(expand).map(({ id, name: label, joint, near, radius, mirror = symmetric ? id : undefined }) =>
     ({ id, name: label, position: round(nearest(near), 4), joint, radius, ...(mirror && { mirror }) }));
   const pairs = new Set(rows.filter((row) => row.pair).map((row) => row.id));
   const bothSides = (moves) => Object.fromEntries(Object.entries(moves).flatMap(([id, move]) =>

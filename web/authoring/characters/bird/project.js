@@ -26,16 +26,16 @@ export const POSES = [
   { id: "touchdown", motion: "hop", seconds: 3.03, moves: {
     head: [0, 0.07, 0.02], hips: [0, 0.03, 0], wing: [-0.02, 0.4, 0.04], elbow: [-0.01, 0.2, 0.02], foot: [0, 0, 0.02], tail: [0, 0.08, 0],
   } },
-  { id: "lean-left", motion: "hop", seconds: 0.84, mirror: { id: "lean-right", seconds: 1.77 }, moves: { // banks like a plane
+  { id: "lean-left", motion: "hop", seconds: 0.84, moves: { // banks like a plane
     head: [0.17, 0.05, 0], hips: [0.05, 0.04, 0],
     "left-wing": [-0.04, 0.46, 0], "left-elbow": [0.03, 0.22, 0], "right-wing": [0.12, -0.08, 0.05], "right-elbow": [0.06, 0.04, 0.02],
     "left-foot": [-0.02, 0, 0], "right-foot": [-0.01, 0.05, -0.03], tail: [-0.12, 0.02, 0],
   } },
-  { id: "step-left", motion: "walk", seconds: 0.97, mirror: { id: "step-right", seconds: 1.52 }, moves: { // a waddle
+  { id: "step-left", motion: "walk", seconds: 0.97, moves: { // a waddle
     head: [-0.12, 0.0, 0.04], hips: [-0.06, 0.02, 0.03],
     "left-wing": [-0.05, 0.14, -0.16], "left-elbow": [-0.03, 0.06, -0.05], "right-wing": [-0.02, -0.1, 0.2], "right-elbow": [-0.04, -0.03, 0.06],
     "left-foot": [-0.02, 0.09, 0.15], "right-foot": [0, 0, -0.04], tail: [0.12, 0.02, 0],
   } },
 ];
 
-export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
+export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };

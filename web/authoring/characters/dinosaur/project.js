@@ -26,14 +26,14 @@ export const POSES = [
   { id: "touchdown", motion: "hop", seconds: 3.03, moves: {
     head: [0, 0.08, 0.02], chest: [0, 0.05, 0.01], hips: [0, 0.03, 0], hand: [0.13, 0.2, 0.02], foot: [0, 0, 0.02], tail: [0, 0.24, 0.06],
   } },
-  { id: "lean-left", motion: "hop", seconds: 0.84, mirror: { id: "lean-right", seconds: 1.77 }, moves: {
+  { id: "lean-left", motion: "hop", seconds: 0.84, moves: {
     head: [0.18, 0.06, 0], chest: [0.09, 0.05, 0], hips: [0.03, 0.04, 0],
     "left-hand": [0.1, 0.22, 0.02], "right-hand": [0.03, 0.04, 0.05], "left-foot": [0.0, 0.0, 0], "right-foot": [0.0, 0.05, -0.03], tail: [-0.34, 0.1, 0.06],
   } },
-  { id: "step-left", motion: "walk", seconds: 0.97, mirror: { id: "step-right", seconds: 1.52 }, moves: {
+  { id: "step-left", motion: "walk", seconds: 0.97, moves: {
     head: [-0.07, 0.0, 0.05], chest: [-0.06, 0.01, 0.03], hips: [-0.05, 0.01, 0.03],
     "left-hand": [0, -0.03, -0.08], "right-hand": [0, 0.04, 0.08], "left-foot": [-0.01, 0.1, 0.18], "right-foot": [0, 0, -0.05], tail: [0.26, 0.02, 0.04],
   } },
 ];
 
-export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
+export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };

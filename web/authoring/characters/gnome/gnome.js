@@ -17,6 +17,6 @@ function shade([x, y, z], [, ny], openness) {
   return 0.2 + 0.8 * smoothstep(0.2, 0.8, openness) * (0.9 + 0.1 * smoothstep(-0.6, 0.4, ny)) * smoothstep(-0.25, 0.2, y);
 }
 
-export const make = () => makeScan({ name: "Gnome", field, box: BOX, step: 0.0095, target: 40000, size, shade, ramp });
+export const make = () => makeScan({ name: "Gnome", field, box: BOX, step: 0.0098, target: 40000, size, shade, ramp });
 
 export { POINTS, POSES, SETTINGS } from "./project.js";

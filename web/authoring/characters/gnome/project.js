@@ -26,14 +26,14 @@ export const POSES = [
   { id: "touchdown", motion: "hop", seconds: 3.03, moves: {
     head: [0, 0.07, 0.03], chest: [0, 0.05, 0.02], hips: [0, 0.03, 0], hand: [0.18, 0.4, 0.06], foot: [0, 0, 0.02], tip: [0.08, 0.22, 0.04],
   } },
-  { id: "lean-left", motion: "hop", seconds: 0.84, mirror: { id: "lean-right", seconds: 1.77 }, moves: {
+  { id: "lean-left", motion: "hop", seconds: 0.84, moves: {
     head: [0.17, 0.05, 0], chest: [0.1, 0.04, 0], hips: [0.04, 0.04, 0],
     "left-hand": [0.18, 0.42, 0.02], "right-hand": [0.0, 0.14, 0.08], "left-foot": [-0.02, 0, 0], "right-foot": [0, 0.06, -0.03], tip: [0.1, 0.06, 0],
   } },
-  { id: "step-left", motion: "walk", seconds: 0.97, mirror: { id: "step-right", seconds: 1.52 }, moves: {
+  { id: "step-left", motion: "walk", seconds: 0.97, moves: {
     head: [-0.08, 0.0, 0.05], chest: [-0.06, 0.01, 0.03], hips: [-0.05, 0.01, 0.03],
     "left-hand": [-0.03, -0.01, -0.16], "right-hand": [-0.02, 0.04, 0.2], "left-foot": [-0.02, 0.1, 0.16], "right-foot": [0, 0, -0.05], tip: [-0.12, 0, 0.02],
   } },
 ];
 
-export const SETTINGS = { volume: 1, smoothness: 0.2, groundContact: true, inPlace: false };
+export const SETTINGS = { volume: 1, smoothness: 0.2, groundContact: true, inPlace: false, symmetry: true };
