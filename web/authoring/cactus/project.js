@@ -3,12 +3,12 @@
 
 // Wide discs where the shape shall keep its character: the dome of the top, the pot's edges.
 export const POINTS = [
-  { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0], radius: 0.17 },
-  { id: "right-arm", name: "Right arm", joint: "RightHand", near: [-0.52, 1.05, 0], radius: 0.07 },
-  { id: "left-arm", name: "Left arm", joint: "LeftHand", near: [0.52, 1.3, 0], radius: 0.07 },
-  { id: "right-edge", name: "Right edge", joint: "RightFoot", near: [-0.21, 0, 0], radius: 0.09 },
-  { id: "left-edge", name: "Left edge", joint: "LeftFoot", near: [0.21, 0, 0], radius: 0.09 },
-  { id: "middle", name: "Middle", joint: "Hips", near: [0, 0.57, 0.3], radius: 0.08 },
+  { id: "top", name: "Top", joint: "Head", near: [0, 1.4, 0], radius: 0.17, mirror: "top" },
+  { id: "right-arm", name: "Right arm", joint: "RightHand", near: [-0.52, 1.05, 0], radius: 0.07, mirror: "left-arm" },
+  { id: "left-arm", name: "Left arm", joint: "LeftHand", near: [0.52, 1.3, 0], radius: 0.07, mirror: "right-arm" },
+  { id: "right-edge", name: "Right edge", joint: "RightFoot", near: [-0.21, 0, 0], radius: 0.09, mirror: "left-edge" },
+  { id: "left-edge", name: "Left edge", joint: "LeftFoot", near: [0.21, 0, 0], radius: 0.09, mirror: "right-edge" },
+  { id: "middle", name: "Middle", joint: "Hips", near: [0, 0.57, 0.3], radius: 0.08, mirror: "middle" },
 ];
 
 export const POSES = [
@@ -108,4 +108,4 @@ export const POSES = [
   },
 ];
 
-export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false };
+export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };

@@ -106,8 +106,8 @@ export class App extends LitElement {
   protected override firstUpdated(): void {
     this.session.start(this.host);
     globalThis.rigless = debugHandle(this.session);
-    for (const topic of ["verb", "help", "jobs"] as const) this.session.on(topic, () => this.loadLate());
-    for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "stage"] as const) this.session.on(topic, () => this.reframe());
+    for (const topic of ["verb", "help", "jobs", "pins", "teaching"] as const) this.session.on(topic, () => this.loadLate());
+    for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "pins", "teaching", "stage"] as const) this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;
       this.requestUpdate();

@@ -200,6 +200,7 @@ function dress({ button, dot, on }: DotMark, joint: string | null): void {
   button.classList.add("dot", on);
   button.classList.toggle("unpaired", joint === null);
   button.classList.toggle("offered", dot.offered ?? false);
+  button.classList.toggle("twin", dot.twin ?? false);
   button.classList.toggle("square", dot.number > COLOURS.length);
   button.dataset["dot"] = dot.id;
   const i = ((dot.number - 1) % COLOURS.length) + 1;

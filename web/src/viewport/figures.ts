@@ -15,6 +15,7 @@ export class Figures {
   mannequin: Mannequin | null = null;
   /** V x 3 world, or null. */
   ghost: Float32Array | null = null;
+  private asking = false;
   private human: DrawnHuman | null = null;
   private nextVertices: Float32Array | null = null;
   private nextPose: Float32Array | null = null;
@@ -80,9 +81,15 @@ export class Figures {
     this.model?.setViewSize(width, height);
   }
 
-  /** Where both stand on one spot, the human shows through the model. */
+  setAsking(asking: boolean): void {
+    this.asking = asking;
+    this.dressHuman();
+  }
+
+  /** Where both stand on one spot, the human shows through the model; who asks is in blue pencil. */
   dressHuman(): void {
     this.mannequin?.setSeenThrough(this.stage.overlay, this.theme.stage);
+    this.mannequin?.setPencil(this.asking ? this.theme.pencilSoft : null);
   }
 
   /** Draws what arrived since the last frame and says what it was. */

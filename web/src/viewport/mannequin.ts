@@ -89,6 +89,18 @@ export class Mannequin {
     this.seenThrough.color.copy(colour);
   }
 
+  /** Blue pencil: not real yet. Null: white clay. */
+  setPencil(colour: Color | null): void {
+    if (colour) {
+      this.material.color.copy(colour);
+      this.material.emissive.copy(colour);
+    } else {
+      this.material.color.set("#ffffff");
+      this.material.emissive.set("#dfe7ec");
+    }
+    this.material.emissiveIntensity = colour ? 0.5 : 0.12;
+  }
+
   setPose(pose: Float32Array): void {
     this.pose = pose;
     if (this.headJoint < 0) this.headJoint = highestLeaf(this.human, this.plan.joints, pose);

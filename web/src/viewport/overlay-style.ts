@@ -24,6 +24,7 @@ svg { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: n
 .dot.unpaired.behind .mark { background: color-mix(in srgb, var(--paper, #fff) 35%, transparent); }
 .dot.offered .mark { background: color-mix(in srgb, var(--paper, #fff) 70%, transparent); color: var(--pencil, #166e94); box-shadow: none;
   outline: 1.5px dashed var(--pencil, #166e94); }
+.dot.twin .mark { outline: 1.5px dashed var(--pencil, #166e94); outline-offset: 4px; }
 .dot.on { z-index: 4; }
 .dot.on .mark { box-shadow: 0 0 0 1.7px var(--ring, #fff), 0 0 0 2.5px rgb(23 33 43 / .55), 0 0 0 7px var(--now, #ffd233), 0 0 0 8.5px #17212b; }
 .dot.human.on .mark { box-shadow: 0 0 0 1.7px var(--ring, #fff), 0 0 0 2.5px rgb(23 33 43 / .55), 0 0 0 5px var(--now, #ffd233), 0 0 0 6.2px #17212b; }

@@ -37,6 +37,8 @@ export interface Dot {
   guess?: boolean;
   /** Not a point yet: a dashed mark that a click takes. */
   offered?: boolean;
+  /** The selected point's partner on the other side. */
+  twin?: boolean;
 }
 
 export type ViewMode =
@@ -81,6 +83,8 @@ export interface ViewportApi {
   setMode(mode: ViewMode): void;
   /** Dashed ghost of a shape behind the model (V x 3 world), or null. */
   setGhost(positions: Float32Array | null): void;
+  /** The human asks for a pose of the model: drawn in blue pencil. */
+  setAsking(asking: boolean): void;
   /** The pair line that follows the pointer from this dot or joint, or null. */
   setLivePair(from: { id: string } | { joint: number } | null): void;
   /** A second line on the tag of the dot in the hand, such as the volume; "" for none. */

@@ -121,6 +121,11 @@ export class Viewport implements ViewportApi {
     this.invalidate();
   }
 
+  setAsking(asking: boolean): void {
+    this.figures.setAsking(asking);
+    this.invalidate();
+  }
+
   setLivePair(from: { id: string } | { joint: number } | null): void {
     this.marks.live = from;
     this.refreshMarks();

@@ -9,6 +9,8 @@ const KEYS: readonly (readonly [string, string])[] = [
   [", .", "One frame back, on"],
   ["[ ]", "Pose before, after"],
   ["K", "Add a pose here"],
+  ["C", "Pin the point in hand, or the selected one, here"],
+  ["M", "While holding a dot: its partner mirrors it"],
   ["1 2 3 4", "Model, motion, points, poses"],
   ["F", "Fit the view"],
   ["Esc", "Let go of a dot"],

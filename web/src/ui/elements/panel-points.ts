@@ -52,6 +52,11 @@ export class PointsPanel extends SessionElement {
         <option value="" ?selected=${point.joint === null}>the whole pose</option>
         ${joints.map((joint) => html`<option value=${joint.name} ?selected=${joint.name === point.joint}>${jointName(joint.name)}</option>`)}
       </select></label>
+      <label class="pair">Mirrors <select @change=${(event: Event) =>
+        session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>
+        <option value="" ?selected=${point.mirror === undefined}>nothing</option>
+        ${session.document.points.map((other) => html`<option value=${other.id} ?selected=${other.id === point.mirror}>${other === point ? "itself (in the middle)" : other.name}</option>`)}
+      </select></label>
       <div class="row-acts"><button class="btn" @click=${() => session.points.remove(point.id)}>Delete</button></div>
     </div>`;
   }

@@ -1,12 +1,15 @@
 import { css, html } from "lit";
+import type { TemplateResult } from "lit";
 import { customElement } from "lit/decorators.js";
+import type { Pin } from "../../document/types";
+import { pointPartners } from "../../sync/prepare";
 import { SessionElement } from "../element";
 import { base } from "../styles";
 
-/** What to click next while points are being made. Pencil edge, because it asks. */
+/** What is asked for now: a place, a joint, a pose; or what a pin says. Pencil edge, because it asks. */
 @customElement("rigless-prompt")
 export class Prompt extends SessionElement {
-  protected readonly topics = ["pairing", "document", "verb"] as const;
+  protected readonly topics = ["pairing", "document", "verb", "pins", "teaching"] as const;
 
   static override styles = [
     base,
@@ -22,22 +25,48 @@ export class Prompt extends SessionElement {
 
   protected override render() {
     const { session } = this;
+    if (session.teaching.asking !== null) return this.renderAsked();
+    if (session.pins.chosenPin) return this.renderPin(session.pins.chosenPin);
+    if (session.pins.armed) return card("Pins", html`<h3>Drag a dot to where it shall be at this frame.</h3><p>A pin holds for its frame and teaches nothing else.</p>`,
+      html`<button class="btn line" @click=${() => session.pins.arm(false)}>Cancel <kbd>Esc</kbd></button>`);
+    return this.renderPairing();
+  }
+
+  private renderAsked() {
+    const { teaching, document } = this.session;
+    const free = document.settings.symmetry && pointPartners(document.points) ? " Its mirror comes free." : "";
+    return card("Asked for", html`<h3>Show me this one.</h3><p>It is the farthest from your poses: drag the dots until it means the same.${free}</p>`,
+      html`<button class="btn" @click=${() => teaching.skip()}>Skip <kbd>Esc</kbd></button>
+        <button class="btn primary" @click=${() => teaching.keep()}>Keep pose <kbd>Enter</kbd></button>`);
+  }
+
+  private renderPin(pin: Pin) {
+    const { pins, document } = this.session;
+    const name = document.points.find(({ id }) => id === pin.point)?.name ?? "The point";
+    const still = pin.kind === "still";
+    return card("Pin", html`<h3>${name} ${still ? "stands still" : "is held"} at frame ${pin.frame}.</h3><p>${
+      still ? "It is where it was a frame before." : "It is just there, whatever the poses say."}</p>`,
+      html`${still && !pin.position ? "" : html`<button class="btn" ?disabled=${pin.frame === 0} @click=${() => pins.setKind(pin, still ? "place" : "still")}>${still ? "Hold it" : "Stand still"}</button>`}
+        <button class="btn" @click=${() => pins.remove(pin.id)}>Delete</button>
+        <button class="btn line" @click=${() => pins.choose(null)}>Done <kbd>Esc</kbd></button>`);
+  }
+
+  private renderPairing() {
+    const { session } = this;
     const { pairing } = session;
     const { points } = session.document;
     const waiting = points.find((point) => point.id === pairing.waiting);
     if (session.verb !== "points" || (!waiting && !pairing.adding)) return "";
     const paired = points.filter((point) => point.joint !== null).length;
-    return html`<section class="prompt" aria-label="Points">
-      <div class="grow">
-        ${waiting
-          ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${paired} of ${points.length} paired. Any joint of the dancer will do.</p>`
-          : html`<h3>Click a place on the model${points.length === 0 ? ", then the joint that moves it" : ""}.</h3><p>${
-              points.length === 0 ? "It dances as soon as one place has its joint." : `${paired} of ${points.length} paired.`}</p>`}
-      </div>
-      <div class="acts">
-        ${waiting ? html`<button class="btn" @click=${() => pairing.setWaiting(null)}>Skip</button>` : ""}
-        <button class="btn line" @click=${() => pairing.stop()}>Done <kbd>Esc</kbd></button>
-      </div>
-    </section>`;
+    const words = waiting
+      ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${paired} of ${points.length} paired. Any joint of the dancer will do.</p>`
+      : html`<h3>Click a place on the model${points.length === 0 ? ", then the joint that moves it" : ""}.</h3><p>${
+          points.length === 0 ? "It dances as soon as one place has its joint." : `${paired} of ${points.length} paired.`}</p>`;
+    return card("Points", words, html`${waiting ? html`<button class="btn" @click=${() => pairing.setWaiting(null)}>Skip</button>` : ""}
+      <button class="btn line" @click=${() => pairing.stop()}>Done <kbd>Esc</kbd></button>`);
   }
+}
+
+function card(label: string, words: TemplateResult, acts: TemplateResult): TemplateResult {
+  return html`<section class="prompt" aria-label=${label}><div class="grow">${words}</div><div class="acts">${acts}</div></section>`;
 }

@@ -7,7 +7,7 @@ import { base } from "../styles";
 /** Which point is in hand, and how fast we solve. */
 @customElement("rigless-status")
 export class Status extends SessionElement {
-  protected readonly topics = ["selection", "document", "meter", "drag", "solve", "verb", "pairing"] as const;
+  protected readonly topics = ["selection", "document", "meter", "drag", "solve", "verb", "pairing", "pins", "teaching"] as const;
 
   static override styles = [
     base,
@@ -27,7 +27,7 @@ export class Status extends SessionElement {
     const index = session.document.points.findIndex((point) => point.id === id);
     const point = session.document.points[index];
     this.toggleAttribute("plain", !point);
-    this.toggleAttribute("asking", session.verb === "points" && (session.pairing.adding || session.pairing.waiting !== null));
+    this.toggleAttribute("asking", session.verb === "points" && (session.pairing.adding || session.pairing.waiting !== null) || session.teaching.asking !== null || session.pins.chosen !== null || session.pins.armed);
     const solved = session.meter.median;
     const speed = session.solving && !held
       ? html`<span>solving</span>`

@@ -1,14 +1,15 @@
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { SessionElement } from "../element";
-import { badge, pointStyle } from "../point-colors";
-import { contactRows, rulerStep } from "../timeline-model";
+import { rulerStep } from "../timeline-model";
 import { base } from "../styles";
+import "./footing";
+import "./guesswork";
 
 /** Ruler, poses as cels on diamonds, and who stands on the ground when. */
 @customElement("rigless-timeline")
 export class Timeline extends SessionElement {
-  protected readonly topics = ["frame", "play", "document", "solve", "selection", "thumbs"] as const;
+  protected readonly topics = ["frame", "play", "document", "solve", "thumbs", "teaching"] as const;
   @state() private width = 1000;
   private readonly observer = new ResizeObserver(([entry]) => {
     if (entry) this.width = entry.contentRect.width;
@@ -19,10 +20,8 @@ export class Timeline extends SessionElement {
     css`
       :host { display: block; --label: 136px; --end: 20px; --start: 0px; }
       .tl { position: relative; display: grid; grid-template-columns: var(--label) 1fr; }
-      .tl-label { display: flex; align-items: center; gap: var(--s1); font: var(--t-small); color: var(--ink-2); background: none; border: 0; padding: 0; text-align: left; cursor: pointer; border-radius: var(--r-s); min-width: 0; }
-      .tl-label span:last-child { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
-      span.tl-label { cursor: default; }
-      .tl-label[aria-pressed="true"] { color: var(--ink); font-weight: 600; }
+      .tl-label { display: flex; align-items: center; font: var(--t-small); color: var(--ink-2); min-width: 0; }
+      rigless-footing, rigless-guesswork { grid-column: 1 / -1; }
       .lane { position: relative; margin: 0 var(--end) 0 var(--start); }
       .ruler { height: 20px; border-bottom: 1px solid var(--edge); background:
         repeating-linear-gradient(90deg, var(--edge) 0 1px, transparent 1px var(--major)) 0 100% / calc(100% + 1px) 8px no-repeat,
@@ -33,10 +32,6 @@ export class Timeline extends SessionElement {
       .scrub::-webkit-slider-thumb { appearance: none; width: 2px; height: 32px; background: none; }
       .scrub::-moz-range-thumb { width: 2px; height: 32px; background: none; border: 0; }
       .poses { height: 52px; }
-      .rows { position: relative; display: grid; grid-template-columns: subgrid; grid-column: 1 / -1; max-height: 72px; overflow-y: auto; scrollbar-width: thin; }
-      .row { height: 24px; border-top: 1px solid var(--line); }
-      .tl-label.row { border-top-color: transparent; }
-      .lane.row.sel { background: var(--well); }
 
       .pose { position: absolute; z-index: 3; left: var(--f); top: 4px; width: 40px; height: 48px; margin-left: -20px; border: 0; background: none; padding: 0; cursor: pointer; border-radius: var(--r-s); }
       .pose .thumb { width: 40px; height: 38px; transition: transform var(--bounce) var(--squash); }
@@ -46,10 +41,14 @@ export class Timeline extends SessionElement {
       .pose.sel .thumb { box-shadow: inset 0 0 0 2px var(--ink); }
       .pose.sel::after { background: var(--now); box-shadow: inset 0 0 0 1.5px var(--on-now), 0 0 0 2px var(--desk); }
       .pose:focus-visible { position: absolute; }
+      .pose.mirrored .thumb { opacity: .5; transform: scaleX(-1); }
+      .pose.mirrored:hover .thumb { transform: scaleX(-1) translateY(-2px); }
+      .pose.mirrored::after { background: var(--desk); box-shadow: inset 0 0 0 1.75px var(--ink), 0 0 0 2px var(--desk); }
+      .pose.asked { z-index: 2; }
+      .pose.asked .thumb { background: none; box-shadow: none; outline: 1.5px dashed var(--pencil); outline-offset: -1.5px; display: grid; place-items: center; color: var(--pencil); font: 600 18px/1 var(--font); }
+      .pose.asked::after { background: var(--desk); box-shadow: inset 0 0 0 1.5px var(--pencil), 0 0 0 2px var(--desk); }
+      .pose.asked.sel .thumb { background: var(--paper); }
       .hint { position: absolute; inset: 0; display: flex; align-items: center; font: var(--t-small); color: var(--ink-3); pointer-events: none; }
-
-      .bar { position: absolute; top: 8px; height: 8px; left: var(--a); width: max(4px, var(--w)); border-radius: 4px; background: var(--c); box-shadow: inset 0 0 0 1px color-mix(in oklab, var(--c), var(--ink) 40%); }
-      .sel .bar { top: 6px; height: 12px; border-radius: 6px; }
 
       .playhead { position: absolute; z-index: 2; left: calc(var(--label) + var(--start) + var(--k) * (100% - var(--label) - var(--start) - var(--end))); top: 0; bottom: 0; width: 0; pointer-events: none; }
       .playhead::before { content: ""; position: absolute; left: -.75px; top: 16px; bottom: 0; width: 1.5px; background: var(--now-edge); }
@@ -57,7 +56,7 @@ export class Timeline extends SessionElement {
       @media (max-width: 719px) {
         :host { --label: 0px; --end: 20px; --start: 20px; }
         .tl { grid-template-columns: 1fr; }
-        .tl-label, .rows { display: none; }
+        .tl-label { display: none; }
       }
     `,
   ];
@@ -78,7 +77,8 @@ export class Timeline extends SessionElement {
     return html`<div class="tl">
       <span class="tl-label"></span>${this.renderRuler(last)}
       <span class="tl-label">Poses</span>${this.renderPoses(last)}
-      ${this.renderRows(last)}
+      <rigless-footing .session=${this.session}></rigless-footing>
+      <rigless-guesswork .session=${this.session}></rigless-guesswork>
       ${player.frames > 0 ? html`<div class="playhead" style="--k:${player.frame / last}"><b>${player.frame}</b></div>` : nothing}
     </div>`;
   }
@@ -98,34 +98,24 @@ export class Timeline extends SessionElement {
     const { session } = this;
     const poses = session.poses.here;
     const now = session.player.frame;
+    const place = (frame: number): string => `--f:${(100 * Math.min(frame, last)) / last}%`;
     return html`<div class="lane poses">
+      ${session.teaching.asked.map((frame) => html`<button class="pose asked ${frame === session.teaching.asking ? "sel" : ""}" style=${place(frame)}
+        title="Frame ${frame} would teach much" aria-label="Make the pose that is asked for at frame ${frame}" @click=${() => session.teaching.ask(frame)}><span class="thumb">+</span></button>`)}
+      ${session.poses.mirrored.map(({ pose, frame }) => {
+        const picture = session.thumbnails.of(pose);
+        return html`<button class="pose mirrored" style=${place(frame)} title="Mirror image of the pose at ${pose.source.frame}" aria-label="Mirrored pose at frame ${frame}"
+          @click=${() => session.poses.visit(frame)}><span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span></button>`;
+      })}
       ${poses.map((pose) => {
         const frame = pose.source.frame;
         const picture = session.thumbnails.of(pose);
-        return html`<button class="pose ${frame === now ? "sel" : ""}" style="--f:${(100 * Math.min(frame, last)) / last}%"
+        return html`<button class="pose ${frame === now ? "sel" : ""}" style=${place(frame)}
           aria-label="Pose at frame ${frame}" aria-current=${frame === now ? "true" : nothing}
           @click=${() => session.poses.goTo(pose.id)}><span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span></button>`;
       })}
       ${poses.length === 0 && session.player.frames > 0 ? html`<span class="hint">Drag a dot at any frame: that becomes a pose.</span>` : ""}
     </div>`;
-  }
-
-  private renderRows(last: number) {
-    const { session } = this;
-    const rows = contactRows(session.performance, session.document.points.length);
-    if (rows.length === 0) return nothing;
-    return html`<div class="rows" tabindex=${rows.length > 3 ? 0 : nothing} role="group" aria-label="Ground contacts">${rows.map((row) => {
-      const point = session.document.points[row.control];
-      if (!point) return nothing;
-      const on = session.selected === point.id;
-      return html`
-        <button class="tl-label row" aria-pressed=${on} @click=${() => session.select(on ? null : point.id)}>
-          ${badge(row.control + 1, { now: on })}<span>${point.name}</span></button>
-        <div class="lane row ${on ? "sel" : ""}" style=${pointStyle(row.control + 1)}>
-          ${row.runs.map(([a, b]) => html`<span class="bar" title="On the ground from ${a} to ${b - 1}"
-            style="--a:${(100 * a) / last}%;--w:${(100 * (Math.min(b, last) - a)) / last}%"></span>`)}
-        </div>`;
-    })}</div>`;
   }
 
   private readonly scrub = (event: Event): void => {

@@ -9,7 +9,7 @@ import { seconds } from "../words";
 
 @customElement("rigless-transport")
 export class Transport extends SessionElement {
-  protected readonly topics = ["frame", "play", "solve", "document"] as const;
+  protected readonly topics = ["frame", "play", "solve", "document", "pins"] as const;
 
   static override styles = [
     base,
@@ -21,7 +21,7 @@ export class Transport extends SessionElement {
       .frame { font: var(--t-title); margin-left: var(--s2); min-width: 132px; white-space: nowrap; }
       .frame small { font: var(--t-small); color: var(--ink-3); margin-left: 6px; }
       .rule { width: 1px; height: 24px; background: var(--line); margin: 0 var(--s1); }
-      .loop[aria-pressed="true"] { background: var(--well); }
+      .loop[aria-pressed="true"], .pin[aria-pressed="true"] { background: var(--well); }
       @media (max-width: 719px) {
         :host { height: 60px; gap: 0; }
         .desk { display: none !important; }
@@ -48,6 +48,7 @@ export class Transport extends SessionElement {
       <i class="rule desk" hidden></i>
       <button class="btn icon loop desk" aria-pressed=${player.loop} aria-label="Loop" title="Loop" @click=${() => player.setLoop(!player.loop)}>${icon("loop")}</button>
       <button class="btn desk" aria-label="Speed ${player.speed} times" title="Speed" @click=${this.nextSpeed}>${player.speed}×</button>
+      <button class="btn icon pin" aria-pressed=${session.pins.armed} aria-label="Pin" title="The next drag pins a point at this frame and makes no pose (C)" ?disabled=${!session.canPose} @click=${() => session.pins.arm(!session.pins.armed)}>${icon("pin")}</button>
       <button class="btn line" title="Add a pose at this frame (K)" ?disabled=${!session.canPose} @click=${() => session.keepShape()}>${icon("addPose")}Add pose <kbd>K</kbd></button>
     `;
   }

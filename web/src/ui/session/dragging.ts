@@ -1,5 +1,6 @@
 import { EngineError } from "../../engine/types";
 import type { Frame } from "../../engine/types";
+import { pointPartners } from "../../sync/prepare";
 import { toLocal, toWorld } from "../../sync/placement";
 import type { Root } from "../../sync/placement";
 import type { Session } from "./session";
@@ -14,6 +15,8 @@ export interface Drag {
   base: Float32Array;
   targets: Float32Array;
   wasPlaying: boolean;
+  /** The partner on the other side does the same. */
+  mirrored: boolean;
   /** Volume over rest volume, once known. */
   volume: number | null;
 }
@@ -43,7 +46,7 @@ export class Dragging {
     const wasPlaying = session.player.playing;
     session.player.pause();
     session.workspace.hold();
-    this.active = { id, index, frame, root: shown.root, base, targets: base.slice(), wasPlaying, volume: null };
+    this.active = { id, index, frame, root: shown.root, base, targets: base.slice(), wasPlaying, mirrored: false, volume: null };
     this.first = true;
     session.viewport?.setGhost(shown.positions);
     session.goodbye();
@@ -57,8 +60,26 @@ export class Dragging {
     if (!active) return;
     active.targets = active.base.slice();
     active.targets.set(toLocal(position, active.root), 3 * active.index);
+    if (active.mirrored) this.moveTwin(active);
     this.ask();
     this.session.emit("drag", undefined);
+  }
+
+  /** While a dot is held: its partner on the other side does the same, or does not. */
+  mirror(): void {
+    const { active } = this;
+    if (!active) return;
+    active.mirrored = !active.mirrored;
+    this.move(toWorld(active.targets.subarray(3 * active.index, 3 * active.index + 3), active.root) as unknown as [number, number, number]);
+  }
+
+  /** The partner goes to the mirror image of the held point's place, across the middle of the body. */
+  private moveTwin({ index, targets }: Drag): void {
+    const twin = pointPartners(this.session.document.points)?.[index] ?? -1;
+    if (twin < 0) return;
+    const at = 3 * index;
+    if (twin === index) targets[at] = 0;
+    else targets.set([-targets[at], targets[at + 1], targets[at + 2]], 3 * twin);
   }
 
   /** Arrow keys on a point of the list: 1 cm, with Shift 2 mm. */
@@ -102,7 +123,8 @@ export class Dragging {
       return;
     }
     this.end();
-    session.poses.keep(active);
+    if (session.pins.armed) session.pins.keep(active);
+    else session.poses.keep(active);
     session.workspace.release();
   }
 

@@ -29,6 +29,11 @@ export class Points {
     this.session.apply(commands.pairPoint(id, joint));
   }
 
+  /** Its partner on the other side, itself in the middle, or nobody. */
+  pairMirror(id: string, partner: string | null): void {
+    this.session.apply(commands.pairMirror(id, partner));
+  }
+
   remove(id: string): void {
     const { session } = this;
     const name = session.document.points.find((point) => point.id === id)?.name ?? "A point";
@@ -39,7 +44,7 @@ export class Points {
 
   removeSelected(): boolean {
     const { selected, drag } = this.session;
-    if (selected === null || drag) return false;
+    if (selected === null || drag || !this.session.document.points.some(({ id }) => id === selected)) return false;
     this.remove(selected);
     return true;
   }

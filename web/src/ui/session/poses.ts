@@ -1,14 +1,18 @@
 import * as commands from "../../document/commands";
 import type { Command } from "../../document/store";
 import type { Example, Vec3 } from "../../document/types";
-import { exampleControls, jointsOfPose, pointsOfControls } from "../../sync/prepare";
+import type { Motion } from "../../engine/types";
+import { exampleControls, jointsOfPose, pointPartners, pointsOfControls } from "../../sync/prepare";
 import type { Drag } from "./dragging";
+import { mirroredFrame } from "./mirrored";
 import type { Session } from "./session";
 
 const POSED = "You made a pose.";
 
 /** "When the human does this, my model does that": making, changing and finding poses. */
 export class Poses {
+  private readonly mirrors = new WeakMap<Example, { motion: Motion; frame: number | null }>();
+
   constructor(private readonly session: Session) {}
 
   /** Poses made on the motion that plays, by frame. */
@@ -18,6 +22,25 @@ export class Poses {
 
   isHere(pose: Example): boolean {
     return pose.source.motion === this.session.motionName;
+  }
+
+  /** Where the clip shows the mirror images of poses that teach theirs too; none beside a pose of its own. */
+  get mirrored(): readonly { pose: Example; frame: number }[] {
+    const { document, motion } = this.session;
+    if (!motion || !document.settings.symmetry || !pointPartners(document.points)) return [];
+    const own = this.here.map((pose) => pose.source.frame);
+    return document.examples.flatMap((pose) => {
+      const frame = this.mirrorOf(pose, motion);
+      return frame === null || own.some((other) => Math.abs(other - frame) < 4) ? [] : [{ pose, frame }];
+    });
+  }
+
+  private mirrorOf(pose: Example, motion: Motion): number | null {
+    const known = this.mirrors.get(pose);
+    if (known?.motion === motion) return known.frame;
+    const frame = mirroredFrame(pose, motion);
+    this.mirrors.set(pose, { motion, frame });
+    return frame;
   }
 
   /** C x 3 body-local: where a pose puts the points. */
@@ -72,8 +95,12 @@ export class Poses {
   goTo(id: string): void {
     const pose = this.find(id);
     if (!pose || !this.isHere(pose)) return;
+    this.visit(pose.source.frame);
+  }
+
+  visit(frame: number): void {
     this.session.player.pause();
-    this.session.player.seek(pose.source.frame);
+    this.session.player.seek(frame);
   }
 
   /** The next pose before (-1) or after (1) the playhead, around the ends. */

@@ -20,6 +20,7 @@ import type { Performer } from "./cast";
 import { Dragging } from "./dragging";
 import type { Drag } from "./dragging";
 import { nextFacing, withUp } from "./facing";
+import { FLIGHTS, Footing } from "./footing";
 import { Guesses } from "./guesses";
 import { Jobs } from "./jobs";
 import { Meter } from "./meter";
@@ -29,12 +30,14 @@ import { Notices } from "./notices";
 import type { NoticeAction } from "./notices";
 import { Opening } from "./opening";
 import { Pairing } from "./pairing";
+import { Pins } from "./pins";
 import { Points } from "./points";
 import { Poses } from "./poses";
 import { Player } from "./player";
 import { Saving } from "./saving";
 import { Show } from "./show";
 import { Sources } from "./sources";
+import { Teaching } from "./teaching";
 import { Thumbnails } from "./thumbnails";
 import type { Verb } from "./verbs";
 
@@ -59,6 +62,9 @@ export interface SessionEvents {
   /** The hand took, moved or let go of a dot. */
   drag: void;
   pairing: void;
+  pins: void;
+  /** A pose is asked for, or not any more. */
+  teaching: void;
   /** Saved, or not any more. */
   files: void;
   /** The stage was built. */
@@ -79,6 +85,9 @@ export class Session extends Emitter<SessionEvents> {
   readonly pairing = new Pairing(this);
   readonly guesses = new Guesses(this);
   readonly poses = new Poses(this);
+  readonly pins = new Pins(this);
+  readonly footing = new Footing(this);
+  readonly teaching = new Teaching(this);
   readonly builtins = new Builtins();
   readonly cast = new Cast(this);
   readonly motions = new Motions(this);
@@ -311,6 +320,9 @@ export class Session extends Emitter<SessionEvents> {
   escape(): boolean {
     if (this.drag) this.dragging.cancel();
     else if (this.help) this.setHelp(false);
+    else if (this.teaching.asking !== null) this.teaching.skip();
+    else if (this.pins.armed) this.pins.arm(false);
+    else if (this.pins.chosen) this.pins.choose(null);
     else if (this.pairing.waiting || this.pairing.adding) this.pairing.stop();
     else if (this.verb) this.setVerb(null);
     else if (this.selected) this.select(null);
@@ -322,8 +334,9 @@ export class Session extends Emitter<SessionEvents> {
   showDots(): void { this.show.dots(); }
 
   private documentChanged(): void {
-    if (this.selected && !this.document.points.some((point) => point.id === this.selected)) this.selected = null;
+    if (this.selected && this.selected !== FLIGHTS && !this.document.points.some((point) => point.id === this.selected)) this.selected = null;
     this.notices.outdate(this.document);
+    this.teaching.follow();
     this.show.dots();
     this.emit("document", undefined);
     this.emit("files", undefined);
@@ -338,6 +351,7 @@ export class Session extends Emitter<SessionEvents> {
     workspace.on("performance", (performance) => {
       if (performance) this.meter.add(performance.milliseconds);
       this.show.performance();
+      this.pins.check();
       solved();
     });
     workspace.on("frame", (frame) => {

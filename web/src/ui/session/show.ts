@@ -1,6 +1,6 @@
 import { toStage } from "../../document/stage";
 import type { Model } from "../../io/model";
-import { meshInput, pointJoints, pointVertices, stageFor } from "../../sync/prepare";
+import { meshInput, pointJoints, pointPartners, pointVertices, stageFor } from "../../sync/prepare";
 import type { SolverModel } from "../../sync/prepare";
 import type { Dot } from "../../viewport/types";
 import type { Session } from "./session";
@@ -66,7 +66,11 @@ export class Show {
     if (!model || session.workspace.model !== model) return; // the engine is not there yet; model() comes back
     const vertices = pointVertices(model, document.points);
     const pairs = motion && pointJoints(document, motion);
-    const dots = document.points.map(({ id, name }, k): Dot => ({ id, number: k + 1, name, vertex: vertices[k], joint: pairs?.[k] ?? -1 }));
+    const partners = pointPartners(document.points);
+    const twin = partners?.[document.points.findIndex(({ id }) => id === session.selected)] ?? -1;
+    const dots = document.points.map(({ id, name }, k): Dot => ({
+      id, number: k + 1, name, vertex: vertices[k], joint: pairs?.[k] ?? -1, twin: k === twin && id !== session.selected,
+    }));
     session.viewport?.setDots([...dots, ...this.offers(model)], session.selected);
   }
 
