@@ -71,7 +71,7 @@ function aimedAt(moments: readonly Float32Array[]): PerspectiveCamera {
   const box = new Box3();
   for (const moment of moments) box.union(new Box3().setFromArray(moment));
   const size = box.getSize(new Vector3());
-  const half = 0.5 * Math.max(size.y + 0.25, size.x + 0.2, 0.8 * size.z + 0.2);
+  const half = 0.5 * Math.max(size.y + 0.16, size.x + 0.12, 0.8 * size.z + 0.12);
   const centre = box.getCenter(new Vector3());
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 50);
   const distance = half / Math.tan((FIELD_OF_VIEW * Math.PI) / 360) + 0.4 * size.z;

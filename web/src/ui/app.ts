@@ -76,7 +76,7 @@ export class App extends LitElement {
         .handle:focus-visible { position: relative; }
         rigless-rail { grid-area: 5 / 1; z-index: 3; }
         .panel { margin: 0; max-height: none; }
-        .panel > * { display: block; flex: 1; }
+        .panel > * { display: block; flex: 1; min-width: 0; }
         rigless-inspector { max-height: none; overflow: visible; }
       }
     `,

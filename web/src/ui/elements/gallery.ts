@@ -35,6 +35,10 @@ export const galleryStyle = css`
   .tile i { color: var(--ink-3); }
   .tile img { object-fit: cover; object-position: 0 0; }
   .tile span { max-width: 100%; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+  @media (max-width: 719px) {
+    .gallery { display: flex; overflow-x: auto; margin: 0 -8px; padding: 3px 8px; scroll-padding: 8px; scroll-snap-type: x proximity; }
+    .gallery li { flex: 0 0 84px; scroll-snap-align: start; }
+  }
   @media (prefers-reduced-motion: no-preference) {
     .tile:is(:hover, :focus-visible) img { animation: perform 1s steps(${FRAMES}, jump-none) infinite; }
   }
