@@ -104,7 +104,7 @@ export class Figures {
     }
     if (pose) {
       mannequin.setPose(nextPose);
-      stage.human.ground.set(nextPose[0]!, nextPose[2]!);
+      stage.human.traveller.ground.set(nextPose[0]!, nextPose[2]!);
       stage.human.top = mannequin.top();
       stage.human.shadow.mesh.visible = true;
       mannequin.darken(stage.human.shadow);
@@ -157,7 +157,7 @@ function modelWidth(rest: Float32Array): number {
 
 /** Finds where a model is and darkens the ground under its lowest vertices. */
 function standOn(lane: Stage["model"], vertices: Float32Array): void {
-  const { ground, shadow } = lane;
+  const { shadow, traveller: { ground } } = lane;
   const count = vertices.length / 3;
   let x = 0;
   let z = 0;
