@@ -1,7 +1,7 @@
 // The bird's points and poses: wings for hands, and a tail that follows the whole pose.
 
 export const POINTS = [
-  { id: "head", name: "Head", joint: "Head", near: [0, 1.15, 0.16], radius: 0.12 },
+  { id: "head", name: "Head", joint: "Head", near: [0, 1.08, 0.24], radius: 0.19 },
   { id: "wing", name: "Wing", joint: "Hand", near: [0.86, 0.6, -0.02], radius: 0.05, pair: true },
   { id: "foot", name: "Foot", joint: "Foot", near: [0.14, 0, 0.04], radius: 0.08, pair: true },
   { id: "hips", name: "Belly", joint: "Hips", near: [0, 0.5, 0.31], radius: 0.12 },
@@ -33,7 +33,7 @@ export const POSES = [
   } },
   { id: "step-left", motion: "walk", seconds: 0.97, moves: { // a waddle
     head: [-0.12, 0.0, 0.04], hips: [-0.06, 0.02, 0.03],
-    "left-wing": [-0.05, 0.14, -0.16], "left-elbow": [-0.03, 0.06, -0.05], "right-wing": [-0.02, -0.1, 0.2], "right-elbow": [-0.04, -0.03, 0.06],
+    "left-wing": [-0.05, 0.12, -0.12], "left-elbow": [-0.03, 0.06, -0.05], "right-wing": [-0.02, -0.06, 0.14], "right-elbow": [-0.04, -0.03, 0.06],
     "left-foot": [-0.02, 0.09, 0.15], "right-foot": [0, 0, -0.04], tail: [0.12, 0.02, 0],
   } },
 ];

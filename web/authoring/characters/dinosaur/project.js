@@ -1,7 +1,7 @@
 // The dinosaur's points and poses. The tail has no joint: it follows the whole pose, and always balances the head.
 
 export const POINTS = [
-  { id: "head", name: "Head", joint: "Head", near: [0, 1.44, 0.24], radius: 0.12 },
+  { id: "head", name: "Head", joint: "Head", near: [0, 1.42, 0.26], radius: 0.16 },
   { id: "hand", name: "Hand", joint: "Hand", near: [0.33, 0.74, 0.37], radius: 0.04, pair: true },
   { id: "foot", name: "Foot", joint: "Foot", near: [0.235, 0, 0.09], radius: 0.09, pair: true },
   { id: "hips", name: "Belly", joint: "Hips", near: [0, 0.55, 0.28], radius: 0.1 },
