@@ -7,6 +7,9 @@ import { writeBvh } from "./kit/skeleton.js";
 import * as hop from "./motions/hop.js";
 import * as walk from "./motions/walk.js";
 
+/** Frames a second that are shown, and so all that a file holds; motions are made, and judged, with more. */
+const SHOWN = 30;
+
 const assets = fileURLToPath(new URL("../assets/", import.meta.url));
 const write = (path, data) => {
   mkdirSync(new URL(".", new URL(path, new URL("../assets/", import.meta.url))), { recursive: true });
@@ -41,6 +44,6 @@ for (const [id, [folder, module]] of Object.entries(characters).filter(([name]) 
   console.log(id, report);
 }
 for (const [name, { file, fps, poses, travels }] of Object.entries(motions).filter(([id]) => isWanted(id))) {
-  write(`motions/${file}`, writeBvh(poses, fps));
+  write(`motions/${file}`, writeBvh(poses.filter((_, frame) => frame % (fps / SHOWN) === 0), SHOWN));
   console.dir({ [name]: reportMotion(poses, fps, { travels }) }, { depth: 4 });
 }

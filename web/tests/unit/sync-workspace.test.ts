@@ -24,7 +24,7 @@ async function cactus(): Promise<ProjectDocument> {
   const hop = text("motions/hop.bvh");
   const lines = hop.trimEnd().split("\n");
   const at = lines.findIndex((line) => line.startsWith("Frames:"));
-  const short = [...lines.slice(0, at), "Frames: 60", ...lines.slice(at + 1, at + 2 + 60)].join("\n");
+  const short = [...lines.slice(0, at), "Frames: 30", ...lines.slice(at + 1, at + 2 + 30)].join("\n");
   const bytes = asset("cactus/cactus.glb");
   const file = workspace.library.addModel("cactus.glb", await readModel([{ name: "cactus.glb", bytes }]));
   const files = workspace.library.addMotion(["hop.bvh"], { format: "bvh", name: "hop.bvh", text: short });
