@@ -49,7 +49,7 @@ class BodyReader {
     if (graph_.size() == 0) return {};
     find_tips();
     center_ = static_cast<std::int32_t>(std::min_element(average_.begin(), average_.end()) - average_.begin());
-    head_ = best_middle([](const Vec3<S>& p) { return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()); });
+    head_ = find_head();
     add_feet();
     add_hands();
     add(head_, BodyRole::head, true);
@@ -132,6 +132,22 @@ class BodyReader {
       if (++seen > 12 && S(6.2832) * distance * distance > S(2.6) * area) return distance;
     }
     return S(0.3) * tall_;
+  }
+
+  // High, in front and in the middle; not a crest, a horn or the tip of a hat, which are thin.
+  std::int32_t find_head() const {
+    std::vector<char> thin(place_.size(), 0);
+    std::int32_t head = center_;
+    for (int tries = 0; tries < 6; ++tries) {
+      head = best_middle([&](const Vec3<S>& p) {
+        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[index(p)] != 0 ? S(20) : S(0));
+      });
+      const S thick = thickness(head);
+      if (thick >= S(0.055) * tall_) break;
+      for (const auto& reached : vertices_within<S>(graph_.position, graph_.ring, head, S(2) * thick))
+        thin[static_cast<std::size_t>(reached.vertex)] = 1;
+    }
+    return head;
   }
 
   // A head keeps its shape as a whole, faces being what one looks at.
