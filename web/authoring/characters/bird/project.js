@@ -34,7 +34,7 @@ export const POSES = [
   { id: "step-left", motion: "walk", seconds: 0.97, moves: { // a waddle
     head: [-0.12, 0.0, 0.04], hips: [-0.06, 0.02, 0.03],
     "left-wing": [-0.05, 0.12, -0.12], "left-elbow": [-0.03, 0.06, -0.05], "right-wing": [-0.02, -0.06, 0.14], "right-elbow": [-0.04, -0.03, 0.06],
-    "left-foot": [-0.02, 0.09, 0.15], "right-foot": [0, 0, -0.04], tail: [0.12, 0.02, 0],
+    "left-foot": [-0.02, 0.09, 0.15], "right-foot": [0, 0, -0.04], tail: [0.03, 0.02, 0],
   } },
 ];
 

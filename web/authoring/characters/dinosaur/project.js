@@ -32,7 +32,7 @@ export const POSES = [
   } },
   { id: "step-left", motion: "walk", seconds: 0.97, moves: {
     head: [-0.07, 0.0, 0.05], chest: [-0.06, 0.01, 0.03], hips: [-0.05, 0.01, 0.03],
-    "left-hand": [0, -0.03, -0.08], "right-hand": [0, 0.04, 0.08], "left-foot": [-0.01, 0.1, 0.18], "right-foot": [0, 0, -0.05], tail: [0.26, 0.02, 0.04],
+    "left-hand": [0, -0.03, -0.08], "right-hand": [0, 0.04, 0.08], "left-foot": [-0.01, 0.1, 0.18], "right-foot": [0, 0, -0.05], tail: [-0.08, 0.03, 0.03],
   } },
 ];
 
