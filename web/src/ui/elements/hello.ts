@@ -31,6 +31,8 @@ export class Hello extends SessionElement {
       .chip .ico { width: 18px; height: 18px; }
       @media (max-width: 1100px) { .line { font-size: 22px; line-height: 28px; top: 16px; } }
       @media (max-width: 719px) { .line { font-size: 20px; line-height: 26px; top: 12px; } .chips { bottom: 44px; } .chip { padding: 0 12px; } }
+      /* three in one line of a phone */
+      @container (max-width: 480px) { .chips { gap: 6px; } .chip { padding: 0 10px; } .chip svg { display: none; } }
     `,
   ];
 
