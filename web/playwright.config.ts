@@ -1,6 +1,6 @@
 import { defineConfig } from "@playwright/test";
 
-const port = 5174;
+const port = Number(process.env.PORT ?? 5174);
 
 export default defineConfig({
   testDir: "tests/e2e",

@@ -4,8 +4,7 @@ import { fileURLToPath } from "node:url";
 import { reportMotion } from "./kit/motion-report.js";
 import { makeProject } from "./kit/project.js";
 import { writeBvh } from "./kit/skeleton.js";
-import * as hop from "./motions/hop.js";
-import * as walk from "./motions/walk.js";
+import { REPERTOIRE } from "./motions/repertoire.js";
 
 /** Frames a second that are shown, and so all that a file holds; motions are made, and judged, with more. */
 const SHOWN = 30;
@@ -20,10 +19,7 @@ const write = (path, data) => {
 // A vector on one line.
 const toJson = (value) => JSON.stringify(value, null, 1).replace(/\[\s+([-\d.e,\s]+?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, " ")}]`) + "\n";
 
-const motions = {
-  hop: { file: "hop.bvh", fps: hop.FPS, poses: hop.makeHop(), travels: null },
-  walk: { file: "walk.bvh", fps: walk.FPS, poses: walk.makeWalk(), travels: walk.TRAVELS },
-};
+const motions = Object.fromEntries(Object.entries(REPERTOIRE).map(([id, { make, ...motion }]) => [id, { ...motion, file: `${id}.bvh`, poses: make() }]));
 // Folder in assets, and module.
 const characters = {
   cactus: ["cactus", "cactus/cactus.js"],
@@ -47,3 +43,7 @@ for (const [name, { file, fps, poses, travels }] of Object.entries(motions).filt
   write(`motions/${file}`, writeBvh(poses.filter((_, frame) => frame % (fps / SHOWN) === 0), SHOWN));
   console.dir({ [name]: reportMotion(poses, fps, { travels }) }, { depth: 4 });
 }
+
+const manifest = Object.values(motions).map(({ file, name, fps, poses, travels }) =>
+  JSON.stringify({ file, name, seconds: +(poses.length / fps).toFixed(1), loops: true, travels: +(Math.hypot(...(travels ?? [0])) / 100).toFixed(2) }));
+write("motions/index.json", `[\n  ${manifest.join(",\n  ")}\n]\n`);

@@ -78,7 +78,7 @@ export function centreOfMass(world) {
 }
 
 /**
- * One leg by two-bone inverse kinematics. foot: { ball: place of the ball, yaw, pitch (heel up > 0), toe (extra bend), splay (of
+ * One leg by two-bone inverse kinematics. foot: { ball: place of the ball, yaw, pitch (heel up > 0), toe (extra bend), knee (its yaw from the hips, else the foot's), splay (of
  * the knee outwards, degrees) }. Writes the leg's rotations into `local`; gives how far the leg is stretched, 1 is straight.
  */
 export function solveLeg(local, name, root, hips, foot) {
@@ -90,7 +90,7 @@ export function solveLeg(local, name, root, hips, foot) {
   const far = Math.min(length(to), (THIGH + SHIN) * 0.9995);
   const cosHip = clamp((THIGH ** 2 + far ** 2 - SHIN ** 2) / (2 * THIGH * far), -1, 1);
   const axis = normalize(to);
-  const forward = rotate(multiply(hips, rotY(foot.yaw * 0.6 + sign * foot.splay)), [0, 0, 1]);
+  const forward = rotate(multiply(hips, rotY((foot.knee ?? foot.yaw) * 0.6 + sign * foot.splay)), [0, 0, 1]);
   const ahead = normalize(sub(forward, scale(axis, dot(forward, axis))));
   const knee = add(hip, add(scale(axis, THIGH * cosHip), scale(ahead, THIGH * Math.sqrt(1 - cosHip ** 2))));
   const end = add(hip, scale(axis, far));

@@ -1,6 +1,6 @@
 import { EngineError } from "../../engine/types";
 import type { Frame } from "../../engine/types";
-import { pointPartners } from "../../sync/prepare";
+import { pointPartners, restControls } from "../../sync/prepare";
 import { toLocal, toWorld } from "../../sync/placement";
 import type { Root } from "../../sync/placement";
 import type { Session } from "./session";
@@ -73,13 +73,16 @@ export class Dragging {
     this.move(toWorld(active.targets.subarray(3 * active.index, 3 * active.index + 3), active.root) as unknown as [number, number, number]);
   }
 
-  /** The partner goes to the mirror image of the held point's place, across the middle of the body. */
+  /** The partner goes from its rest as the held point does, the other way sideways. */
   private moveTwin({ index, targets }: Drag): void {
-    const twin = pointPartners(this.session.document.points)?.[index] ?? -1;
-    if (twin < 0) return;
+    const { model, document } = this.session;
+    const twin = pointPartners(document.points)?.[index] ?? -1;
+    if (!model || twin < 0) return;
+    const rest = restControls(model, document);
     const at = 3 * index;
-    if (twin === index) targets[at] = 0;
-    else targets.set([-targets[at], targets[at + 1], targets[at + 2]], 3 * twin);
+    const to = 3 * twin;
+    const [x, y, z] = [0, 1, 2].map((k) => targets[at + k] - rest[at + k]);
+    targets.set(twin === index ? [rest[at]] : [rest[to] - x, rest[to + 1] + y, rest[to + 2] + z], to);
   }
 
   /** Arrow keys on a point of the list: 1 cm, with Shift 2 mm. */
