@@ -1,11 +1,8 @@
 // Draws one moment after another of a character or of the mannequin, as the page would, into one strip.
 
-import { parseProject } from "../../src/document/project";
-import type { ProjectDocument } from "../../src/document/types";
-import { createBrowserEngine } from "../../src/engine/browser";
-import { readModel } from "../../src/io/read-model";
-import { Workspace } from "../../src/sync/workspace";
+import type { Workspace } from "../../src/sync/workspace";
 import { Mannequin } from "../../src/viewport/mannequin";
+import { solvedDance } from "./dance";
 import { drawMoments, onTheSpot, theModel } from "./moments";
 import type { Figure } from "./moments";
 
@@ -30,17 +27,8 @@ declare global {
 }
 
 window.draw = async ({ folder, project, motion, who }) => {
-  const { document: parsed } = parseProject(await (await fetch(folder + project)).text(), project);
-  const bytes = new Uint8Array(await (await fetch(folder + parsed.mesh.file)).arrayBuffer());
-  const model = await readModel([{ name: parsed.mesh.file, bytes }]);
-  let present: ProjectDocument = parsed;
-  const workspace = new Workspace(() => present, createBrowserEngine);
-  const file = workspace.library.addModel(parsed.mesh.file, model);
-  const files = workspace.library.addMotion(["m.bvh"], { format: "bvh", name: "m.bvh", text: await (await fetch(motion)).text() });
-  present = { ...parsed, mesh: { ...parsed.mesh, file }, motion: { files } };
-  await workspace.sync();
-  const figure = who === "model" ? await theModel(model, present, workspace) : theHuman(workspace);
-  const strip = drawStrip(figure);
+  const { model, document, workspace } = await solvedDance(folder, project, motion);
+  const strip = drawStrip(who === "model" ? await theModel(model, document, workspace) : theHuman(workspace));
   workspace.close();
   return strip;
 };
