@@ -26,6 +26,9 @@ const characters = {
   dinosaur: ["characters/dinosaur", "characters/dinosaur/dinosaur.js"],
   bird: ["characters/bird", "characters/bird/bird.js"],
   gnome: ["characters/gnome", "characters/gnome/gnome.js"],
+  egg: ["characters/egg", "characters/egg/egg.js"],
+  puppy: ["characters/puppy", "characters/puppy/puppy.js"],
+  lamp: ["characters/lamp", "characters/lamp/lamp.js"],
 };
 const wanted = process.argv.slice(2);
 const isWanted = (name) => wanted.length === 0 || wanted.includes(name);

@@ -106,6 +106,24 @@ export const POSES = [
       "left-edge": [-0.02, 0.1, 0.12],
     },
   },
+  {
+    id: "run", // in the air, the left edge behind
+    motion: "run",
+    seconds: 0.07,
+    moves: { top: [0, 0.04, 0.1], middle: [0, 0.02, 0.03], "left-arm": [-0.06, 0.05, 0.22], "right-arm": [0.06, -0.05, -0.2], "left-edge": [0, 0.06, -0.1], "right-edge": [0, 0.02, 0.08] },
+  },
+  {
+    id: "sneak", // the left edge in the air, arms like paws
+    motion: "sneak",
+    seconds: 0.6,
+    moves: { top: [-0.04, -0.1, 0.12], middle: [-0.03, -0.03, 0.02], "left-arm": [-0.12, 0.02, 0.24], "right-arm": [0.12, 0.06, 0.24], "left-edge": [-0.02, 0.1, 0.08], "right-edge": [0, 0, -0.02] },
+  },
+  {
+    id: "bow",
+    motion: "bow",
+    seconds: 1.9,
+    moves: { top: [0, -0.2, 0.38], middle: [0, -0.02, -0.05], "right-arm": [0.16, -0.24, 0.34], "left-arm": [0.1, 0, -0.02], "right-edge": [0, 0, -0.05] },
+  },
 ];
 
 export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };

@@ -36,6 +36,18 @@ export const POSES = [
     "left-wing": [-0.05, 0.12, -0.12], "left-elbow": [-0.03, 0.06, -0.05], "right-wing": [-0.02, -0.06, 0.14], "right-elbow": [-0.04, -0.03, 0.06],
     "left-foot": [-0.02, 0.09, 0.15], "right-foot": [0, 0, -0.04], tail: [0.03, 0.02, 0],
   } },
+  { id: "run", motion: "run", seconds: 0.07, moves: {
+    head: [0, 0.03, 0.08], hips: [0, 0.02, 0.02], "left-wing": [-0.08, 0.14, 0.26], "left-elbow": [-0.03, 0.07, 0.1], "right-wing": [0.04, 0.08, -0.22], "right-elbow": [0.02, 0.04, -0.08],
+    "left-foot": [-0.02, 0.06, -0.12], "right-foot": [0.01, 0.02, 0.12], tail: [0, 0.1, 0],
+  } },
+  { id: "sneak", motion: "sneak", seconds: 0.6, moves: {
+    head: [-0.04, -0.05, 0.09], hips: [-0.04, -0.02, 0.02], "left-wing": [-0.2, 0.1, 0.25], "right-wing": [0.2, 0.1, 0.25], "left-elbow": [-0.06, 0.04, 0.1], "right-elbow": [0.06, 0.04, 0.1],
+    "left-foot": [-0.02, 0.1, 0.12], "right-foot": [0, 0, -0.02], tail: [0, 0.08, 0],
+  } },
+  { id: "bow", motion: "bow", seconds: 1.9, moves: { // one wing across, one spread, the tail up
+    head: [0, -0.22, 0.2], hips: [0, -0.04, -0.05], "right-wing": [0.42, -0.06, 0.36], "right-elbow": [0.14, -0.04, 0.14], "left-wing": [0, 0.2, -0.2], "left-elbow": [0.02, 0.06, -0.06],
+    "right-foot": [0, 0, -0.1], tail: [0, 0.26, 0.02],
+  } },
 ];
 
 export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };

@@ -34,6 +34,16 @@ export const POSES = [
     head: [-0.07, 0.0, 0.05], chest: [-0.06, 0.01, 0.03], hips: [-0.05, 0.01, 0.03],
     "left-hand": [0, -0.03, -0.08], "right-hand": [0, 0.04, 0.08], "left-foot": [-0.01, 0.1, 0.18], "right-foot": [0, 0, -0.05], tail: [-0.08, 0.03, 0.03],
   } },
+  { id: "run", motion: "run", seconds: 0.07, moves: {
+    head: [0, 0.01, 0.1], chest: [0, 0.01, 0.06], hips: [0, 0.02, 0.02], "left-hand": [-0.02, 0.06, 0.09], "right-hand": [-0.02, -0.02, -0.07],
+    "left-foot": [-0.02, 0.06, -0.14], "right-foot": [0.02, 0.02, 0.14], tail: [0, 0.14, 0],
+  } },
+  { id: "sneak", motion: "sneak", seconds: 0.6, moves: {
+    head: [-0.04, -0.07, 0.12], chest: [-0.03, -0.05, 0.06], hips: [-0.04, -0.03, 0.02], hand: [0, 0.08, 0.06], "left-foot": [-0.01, 0.12, 0.16], "right-foot": [0, 0, -0.03], tail: [-0.05, 0.12, 0.05],
+  } },
+  { id: "bow", motion: "bow", seconds: 1.9, moves: {
+    head: [0, -0.27, 0.24], chest: [0, -0.15, 0.13], hips: [0, -0.04, -0.07], "right-hand": [0.12, -0.18, 0.16], "left-hand": [0.06, -0.06, 0.02], "right-foot": [0, 0, -0.12], tail: [0, 0.34, 0.1],
+  } },
 ];
 
 export const SETTINGS = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };

@@ -34,6 +34,17 @@ export const POSES = [
     head: [-0.08, 0.0, 0.05], chest: [-0.06, 0.01, 0.03], hips: [-0.05, 0.01, 0.03],
     "left-hand": [-0.03, -0.01, -0.16], "right-hand": [-0.02, 0.04, 0.2], "left-foot": [-0.02, 0.1, 0.16], "right-foot": [0, 0, -0.05], tip: [-0.12, 0, 0.02],
   } },
+  { id: "run", motion: "run", seconds: 0.07, moves: {
+    head: [0, 0.02, 0.08], chest: [0, 0.02, 0.05], hips: [0, 0.02, 0.02], "left-hand": [-0.06, 0.14, 0.24], "right-hand": [0.02, 0.04, -0.2],
+    "left-foot": [-0.02, 0.06, -0.13], "right-foot": [0.02, 0.02, 0.13], tip: [0, -0.02, -0.1],
+  } },
+  { id: "sneak", motion: "sneak", seconds: 0.6, moves: {
+    head: [-0.04, -0.07, 0.09], chest: [-0.03, -0.05, 0.06], hips: [-0.04, -0.03, 0.02], "left-hand": [-0.12, 0.22, 0.18], "right-hand": [0.12, 0.22, 0.18],
+    "left-foot": [-0.02, 0.1, 0.14], "right-foot": [0, 0, -0.03], tip: [-0.06, -0.06, 0.12],
+  } },
+  { id: "bow", motion: "bow", seconds: 1.9, moves: {
+    head: [0, -0.24, 0.27], chest: [0, -0.13, 0.15], hips: [0, -0.04, -0.06], "right-hand": [0.3, 0.06, 0.22], "left-hand": [0.12, 0.16, -0.1], "right-foot": [0, 0, -0.1], tip: [0, -0.3, 0.4],
+  } },
 ];
 
 export const SETTINGS = { volume: 1, smoothness: 0.2, groundContact: true, inPlace: false, symmetry: true };
