@@ -3,55 +3,29 @@
 // the page's WASM must have been built, CHROMIUM names the browser)
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { chromium } from "@playwright/test";
-import { createServer } from "vite";
+import { BASE, bytesOf, openPage, placeOf, WEB } from "./browser.js";
 
-const web = fileURLToPath(new URL("../../", import.meta.url));
 const figures = fileURLToPath(new URL("../../../docs/figures/", import.meta.url));
-const PORT = 5306;
-const list = (kind) => JSON.parse(readFileSync(`${web}assets/${kind}/index.json`, "utf8"));
+const list = (kind) => JSON.parse(readFileSync(`${WEB}assets/${kind}/index.json`, "utf8"));
 const wanted = process.argv.slice(2);
 const characters = list("characters").filter(({ id }) => wanted.length === 0 || wanted.includes(id));
 const motions = list("motions");
 
-const server = await createServer({
-  root: web,
-  configFile: false,
-  logLevel: "error",
-  appType: "mpa",
-  cacheDir: web + "../build/cast",
-  assetsInclude: ["**/*.glb", "**/*.bvh"],
-  server: { host: "127.0.0.1", port: PORT, strictPort: true, hmr: false },
-});
-await server.listen();
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking"],
-});
-const page = await browser.newPage();
-page.on("pageerror", (error) => {
-  throw error;
-});
-const base = `http://127.0.0.1:${PORT}/`;
+const page = await openPage("cast.html");
 const percent = (x, digits) => (100 * x).toFixed(digits);
 
 const tables = [];
-for (const { id, name, project, vertices } of characters) {
-  const url = new URL(project, `${base}assets/characters/`);
+for (const character of characters) {
+  const { id, name, vertices } = character;
   const strips = [];
   const rows = [];
   for (const motion of motions) {
-    await page.goto(`${base}authoring/figures/cast.html`);
-    await page.waitForFunction(() => "castRow" in window, null, { timeout: 60_000 });
-    const { strip, quality: q } = await page.evaluate((input) => window.castRow(input), {
-      folder: new URL(".", url).href, project: url.pathname.split("/").at(-1), motion: `${base}assets/motions/${motion.file}`,
-    });
+    const { strip, quality: q } = await page.call("castRow", { ...placeOf(character), motion: `${BASE}assets/motions/${motion.file}` });
     strips.push(strip);
     rows.push(`| ${motion.name} | ${percent(q.slip, 3)} | ${percent(q.penetration, 2)} | ${q.volume.map((v) => v.toFixed(2)).join(" to ")} | ${q.acceleration.toFixed(0)} | ${q.guesswork.toFixed(2)} |`);
     console.log(id, rows.at(-1));
   }
-  const sheet = await page.evaluate((all) => window.castSheet(all), strips);
-  writeFileSync(`${figures}cast-${id}.webp`, Buffer.from(sheet.split(",")[1], "base64"));
+  writeFileSync(`${figures}cast-${id}.webp`, bytesOf(await page.call("castSheet", strips)));
   tables.push(`## ${name}
 
 ${vertices.toLocaleString("en-US")} vertices. From the top: ${motions.map((motion) => motion.name.toLowerCase()).join(", ")}.
@@ -63,8 +37,7 @@ ${vertices.toLocaleString("en-US")} vertices. From the top: ${motions.map((motio
 ${rows.join("\n")}
 `);
 }
-await browser.close();
-await server.close();
+await page.close();
 
 if (wanted.length === 0) {
   writeFileSync(`${figures}cast.md`, `# The cast and its repertoire

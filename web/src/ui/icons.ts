@@ -15,14 +15,14 @@ const drawings = {
   next: svg`<path d="M6 6v12l8-6Z" fill="currentColor"/><path d="M18 6.5v11"/>`,
   loop: svg`<path d="M17 3.5 20 6.5l-3 3"/><path d="M20 6.5H8a4 4 0 0 0-4 4v1"/><path d="m7 20.5-3-3 3-3"/><path d="M4 17.5h12a4 4 0 0 0 4-4v-1"/>`,
   addPose: svg`<path d="M12 3.5 20.5 12 12 20.5 3.5 12Z"/><path d="M12 9v6m-3-3h6"/>`,
-  pin: svg`<path d="M6 21V4h12.500l-3.500 4.500 3.500 4.500H6" /><path d="M6 4v17"/>`,
+  pin: svg`<path d="M6 21V4h12.5l-3.5 4.5 3.5 4.5H6" /><path d="M6 4v17"/>`,
   file: svg`<path d="M6 3.5h8l4.5 4.5v12.5H6Z"/><path d="M14 3.5V8h4.5"/>`,
   tick: svg`<path d="m5 12.5 4.5 4.5L19 7.5"/>`,
   warning: svg`<path d="M12 4 21 19.5H3Z"/><path d="M12 10v4.5m0 2.5v.01"/>`,
   turn: svg`<path d="M4.5 12a7.5 7.5 0 1 0 2.4-5.5"/><path d="M4 4v4.5h4.5"/>`,
   up: svg`<path d="M12 20V4m-5 5 5-5 5 5"/>`,
   bin: svg`<path d="M5 7h14M10 7V4.5h4V7m-7.5 0 .8 12.5h9.4L17.5 7"/>`,
-  save: svg`<path d="M12 4v11m-4.5-4.5L12 15l4.5-4.500M5 19.5h14"/>`,
+  save: svg`<path d="M12 4v11m-4.5-4.5L12 15l4.5-4.5M5 19.5h14"/>`,
 } as const;
 
 export type IconName = keyof typeof drawings;
