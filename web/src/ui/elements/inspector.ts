@@ -52,7 +52,7 @@ export class Inspector extends SessionElement {
           @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("groundContact", event.detail, false)}></rigless-switch>
         <rigless-switch label="In place" effect=${settings.inPlace ? "Stays on the spot" : "Travels as the dancer does"} .on=${settings.inPlace}
           @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("inPlace", event.detail, false)}></rigless-switch>
-        ${pointPartners(document.points) ? html`<rigless-switch label="Symmetry" effect=${settings.symmetry ? "Each pose teaches its mirror image" : "Poses teach their own side only"} .on=${settings.symmetry}
+        ${pointPartners(document.points) ? html`<rigless-switch label="Symmetry" effect=${settings.symmetry ? "Poses teach both sides" : "Poses teach their own side"} .on=${settings.symmetry}
           @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("symmetry", event.detail, false)}></rigless-switch>` : ""}
       </div>
     `;
