@@ -113,7 +113,7 @@ test("another dance is one click and one undo away", async ({ page }) => {
   await open(page);
   const before = await documentOf(page);
   await page.getByRole("button", { name: "Try another dance" }).click();
-  await expect.poll(async () => (await documentOf(page)).motion.files).toEqual(["walk.bvh"]);
+  await expect.poll(async () => (await documentOf(page)).motion.files).toEqual(["disco.bvh"]);
   await settled(page);
   const start = await vertices(page, 0);
   expect(await vertices(page, 20)).not.toEqual(start);
