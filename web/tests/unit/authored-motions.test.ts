@@ -55,6 +55,15 @@ describe.each(list)("$name", ({ file, seconds, travels }) => {
     const place = (frame: number, k: number) => motion.positions[3 * frame * J + k];
     const gone = Math.hypot(place(motion.frames - 1, 0) - place(0, 0), place(motion.frames - 1, 2) - place(0, 2));
     expect(Math.abs(gone - travels)).toBeLessThan(0.25);
+    // In the file as well, the ball of a foot that lies on the floor stays where it is.
+    for (const toe of ["LeftToe", "RightToe"].map((name) => motion.joints.findIndex((other) => other.name === name))) {
+      const at = (frame: number) => motion.positions.subarray(3 * (frame * J + toe), 3 * (frame * J + toe) + 3);
+      const floor = Math.min(...Array.from({ length: motion.frames }, (_, frame) => at(frame)[1]));
+      const down = (frame: number) => at(frame)[1] < floor + 0.0005;
+      for (let frame = 1; frame < motion.frames; frame++) {
+        if (down(frame - 1) && down(frame)) expect(Math.hypot(at(frame)[0] - at(frame - 1)[0], at(frame)[2] - at(frame - 1)[2])).toBeLessThan(0.001);
+      }
+    }
     const joint = (name: string) => motion.joints.findIndex((other) => other.name === name);
     const performance = await engine.retarget({
       pairs: Int32Array.of(joint("LeftFoot"), joint("RightFoot")), examples: [], smoothness: 0.3, volume: 1, groundContact: true, inPlace: false,
