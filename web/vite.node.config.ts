@@ -6,12 +6,7 @@ import { defineConfig } from "vite";
 export default defineConfig({
   publicDir: false,
   ssr: { noExternal: true },
-  build: {
-    ssr: "bin/cli.ts",
-    outDir: "dist-node",
-    target: "node20",
-    rollupOptions: { output: { entryFileNames: "rigless.js" } },
-  },
+  build: { ssr: "bin/cli.ts", outDir: "dist-node", target: "node20", rollupOptions: { output: { entryFileNames: "rigless.js" } } },
   plugins: [
     {
       name: "core",

@@ -17,9 +17,12 @@ const write = (path, data) => {
 };
 
 // A vector on one line.
-const toJson = (value) => JSON.stringify(value, null, 1).replace(/\[\s+([-\d.e,\s]+?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, " ")}]`) + "\n";
+const toJson = (value) =>
+  JSON.stringify(value, null, 1).replace(/\[\s+([-\d.e,\s]+?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, " ")}]`) + "\n";
 
-const motions = Object.fromEntries(Object.entries(REPERTOIRE).map(([id, { make, ...motion }]) => [id, { ...motion, file: `${id}.bvh`, poses: make() }]));
+const motions = Object.fromEntries(
+  Object.entries(REPERTOIRE).map(([id, { make, ...motion }]) => [id, { ...motion, file: `${id}.bvh`, poses: make() }]),
+);
 // Folder in assets, and module.
 const characters = {
   cactus: ["cactus", "cactus/cactus.js"],
@@ -39,14 +42,40 @@ for (const [id, [folder, module]] of Object.entries(characters).filter(([name]) 
   const name = id[0].toUpperCase() + id.slice(1);
   write(`${folder}/${id}.glb`, glb);
   const tables = { points: POINTS, poses: POSES, settings: SETTINGS };
-  write(`${folder}/project.json`, toJson(makeProject({ name, file: `${id}.glb`, vertices, ...tables, motions, opens: "hop", motionsFolder: folder.replace(/[^/]+/g, "..") + "/motions/" })));
+  write(
+    `${folder}/project.json`,
+    toJson(
+      makeProject({
+        name,
+        file: `${id}.glb`,
+        vertices,
+        ...tables,
+        motions,
+        opens: "hop",
+        motionsFolder: folder.replace(/[^/]+/g, "..") + "/motions/",
+      }),
+    ),
+  );
   console.log(id, report);
 }
 for (const [name, { file, fps, poses, travels }] of Object.entries(motions).filter(([id]) => isWanted(id))) {
-  write(`motions/${file}`, writeBvh(poses.filter((_, frame) => frame % (fps / SHOWN) === 0), SHOWN));
+  write(
+    `motions/${file}`,
+    writeBvh(
+      poses.filter((_, frame) => frame % (fps / SHOWN) === 0),
+      SHOWN,
+    ),
+  );
   console.dir({ [name]: reportMotion(poses, fps, { travels }) }, { depth: 4 });
 }
 
 const manifest = Object.values(motions).map(({ file, name, fps, poses, travels }) =>
-  JSON.stringify({ file, name, seconds: +(poses.length / fps).toFixed(1), loops: true, travels: +(Math.hypot(...(travels ?? [0])) / 100).toFixed(2) }));
+  JSON.stringify({
+    file,
+    name,
+    seconds: +(poses.length / fps).toFixed(1),
+    loops: true,
+    travels: +(Math.hypot(...(travels ?? [0])) / 100).toFixed(2),
+  }),
+);
 write("motions/index.json", `[\n  ${manifest.join(",\n  ")}\n]\n`);

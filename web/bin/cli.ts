@@ -90,7 +90,9 @@ function checkSize(out: string, vertices: number, frames: number, every: number)
   if (bytes(every) <= MOST_BYTES) return;
   let k = every;
   while (k < frames && bytes(k) > MOST_BYTES) k++;
-  throw new FileError(`${out} would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a GLB can: --every ${k} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`);
+  throw new FileError(
+    `${out} would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a GLB can: --every ${k} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`,
+  );
 }
 
 function isExpected(error: unknown): boolean {
@@ -106,8 +108,10 @@ function readArguments(args: readonly string[]): BakeCommand | string {
   if (verb !== "bake") throw new UsageError(`"${verb ?? ""}" is no command. See rigless --help.`);
   const [first, second] = inputs;
   if (first === undefined) throw new UsageError("bake needs a project, or a model and a motion. See rigless --help.");
-  if (inputs.some((input) => PROJECTS.includes(extension(input))) && second !== undefined) throw new UsageError(`bake takes one project; "${second}" is too much.`);
-  if (MODELS.includes(extension(first)) && second === undefined) throw new UsageError(`bake needs a motion too: rigless bake ${first} motion.bvh --out dance.glb`);
+  if (inputs.some((input) => PROJECTS.includes(extension(input))) && second !== undefined)
+    throw new UsageError(`bake takes one project; "${second}" is too much.`);
+  if (MODELS.includes(extension(first)) && second === undefined)
+    throw new UsageError(`bake needs a motion too: rigless bake ${first} motion.bvh --out dance.glb`);
   if (values.out === undefined && values.track === undefined) throw new UsageError("bake needs --out, --track or both.");
   const every = Number(values.every ?? 1);
   if (!Number.isInteger(every) || every < 1) throw new UsageError(`--every should be a whole number from 1, but it is "${values.every}".`);
@@ -120,8 +124,12 @@ function parsed(args: readonly string[]) {
       args: [...args],
       allowPositionals: true,
       options: {
-        out: { type: "string", short: "o" }, track: { type: "string" }, every: { type: "string" },
-        quiet: { type: "boolean", short: "q" }, help: { type: "boolean", short: "h" }, version: { type: "boolean", short: "v" },
+        out: { type: "string", short: "o" },
+        track: { type: "string" },
+        every: { type: "string" },
+        quiet: { type: "boolean", short: "q" },
+        help: { type: "boolean", short: "h" },
+        version: { type: "boolean", short: "v" },
       },
     });
   } catch (error) {
@@ -142,7 +150,9 @@ async function openProject(path: string, progress: Progress): Promise<Opened> {
   const model = await readModel(modelFiles);
   const vertices = model.positions.length / 3;
   if (document.points.length > vertices) {
-    throw new FileError(`${basename(path)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`);
+    throw new FileError(
+      `${basename(path)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`,
+    );
   }
   return { document, model, motion };
 }
@@ -157,8 +167,12 @@ async function guessed(paths: readonly string[], engine: Engine, progress: Progr
   const said = await engine.understand({ positions: model.positions, faces: model.faces }, { signal });
   const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motion.files, model, said, joints);
   const { up, facing } = document.mesh;
-  progress.note(`${model.name} is taken to stand with ${up} up and to look along ${facing}; ${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`);
-  progress.note(`guessed ${count(document.points.length, "point")}: ${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`);
+  progress.note(
+    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
+  );
+  progress.note(
+    `guessed ${count(document.points.length, "point")}: ${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
+  );
   return { document, model, motion: motion.input };
 }
 
@@ -167,9 +181,10 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
   const outputs = await OutputFiles.prepare([command.out, command.track]);
   const engine = await createNodeEngine();
   try {
-    const { document, model, motion } = command.inputs.length === 1
-      ? await openProject(command.inputs[0], progress)
-      : await guessed(command.inputs, engine, progress, signal);
+    const { document, model, motion } =
+      command.inputs.length === 1
+        ? await openProject(command.inputs[0], progress)
+        : await guessed(command.inputs, engine, progress, signal);
     const baked = await bake(engine, document, model, motion, {
       signal,
       onProgress: (step, done) => progress.step(step, done),
@@ -184,9 +199,13 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
       const glb = await writeGlb({ name, drawn: model.drawn, faces: model.faces, rest, frames: baked.frames, scale, every: command.every });
       await outputs.add(command.out, glb);
       const targets = keptFrames(baked.frames.length, command.every).length;
-      progress.done(`${command.out}: ${count(targets, "morph target")}, ${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`);
+      progress.done(
+        `${command.out}: ${count(targets, "morph target")}, ${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
+      );
       if (targets > MOST_TARGETS) {
-        progress.note(`Some viewers draw at most ${MOST_TARGETS} morph targets: --every ${Math.ceil(baked.frames.length / (MOST_TARGETS - 1))} stays below.`);
+        progress.note(
+          `Some viewers draw at most ${MOST_TARGETS} morph targets: --every ${Math.ceil(baked.frames.length / (MOST_TARGETS - 1))} stays below.`,
+        );
       }
     }
     if (command.track !== null) {

@@ -33,8 +33,12 @@ export async function loadModelAndMotion(paths: readonly string[]): Promise<{ mo
   const given = await Promise.all(paths.map((path) => read(path, basename(path))));
   const beside = await Promise.all(given.map((file, n) => readBeside(file, dirname(paths[n]))));
   const { models, motions, problems } = sortFiles(given);
-  if (models.length === 1 && motions.length === 1 && problems.length === 0) return { modelFiles: [models[0], ...beside.flat()], motion: motions[0] };
-  throw new FileError(problems[0] ?? `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} there are ${models.length} and ${motions.length}.`);
+  if (models.length === 1 && motions.length === 1 && problems.length === 0)
+    return { modelFiles: [models[0], ...beside.flat()], motion: motions[0] };
+  throw new FileError(
+    problems[0] ??
+      `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} there are ${models.length} and ${motions.length}.`,
+  );
 }
 
 async function read(path: string, name: string, namedBy?: string): Promise<NamedFile> {
@@ -42,7 +46,14 @@ async function read(path: string, name: string, namedBy?: string): Promise<Named
     return { name, bytes: namedBy === undefined ? new Uint8Array(await readFile(path)) : await readWhole(path) };
   } catch (error) {
     const code = codeOf(error);
-    const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : code === "ENOTFILE" ? "it is not a file" : `it cannot be read (${code})`;
+    const why =
+      code === "ENOENT"
+        ? "there is no such file"
+        : code === "EISDIR"
+          ? "it is a folder"
+          : code === "ENOTFILE"
+            ? "it is not a file"
+            : `it cannot be read (${code})`;
     throw new FileError(namedBy === undefined ? `${path}: ${why}.` : `${namedBy} names ${name}: ${why}.`);
   }
 }
@@ -57,11 +68,13 @@ async function readWhole(path: string): Promise<Uint8Array> {
 /** The materials, pictures and buffers that a model names; the reader says what is missing. */
 async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]> {
   const own = dirname(file.name);
-  const found = await Promise.all([...new Set(namesBeside(file))].map(async (inner) => {
-    const name = own === "." ? inner : `${own}/${inner}`;
-    const bytes = await readWhole(resolve(folder, name)).catch(() => null);
-    return bytes ? [{ name, bytes }] : [];
-  }));
+  const found = await Promise.all(
+    [...new Set(namesBeside(file))].map(async (inner) => {
+      const name = own === "." ? inner : `${own}/${inner}`;
+      const bytes = await readWhole(resolve(folder, name)).catch(() => null);
+      return bytes ? [{ name, bytes }] : [];
+    }),
+  );
   const files = found.flat();
   // A material names pictures, and these nothing: only a material goes deeper, whatever it names.
   const materials = extension(file.name) === "obj" ? files.filter((other) => extension(other.name) === "mtl") : [];
@@ -73,10 +86,14 @@ function namesBeside({ name, bytes }: NamedFile): string[] {
   // No pattern may run over line ends or try one stretch of spaces in two ways: files can be long.
   const all = (pattern: RegExp): string[] => [...(decodeText(bytes) ?? "").matchAll(pattern)].map((match) => match[1].trim());
   switch (extension(name)) {
-    case "obj": return all(/^[ \t]*mtllib[ \t](.+)$/gm);
-    case "mtl": return all(/^[ \t]*map_Kd[ \t](.+)$/gm).map((words) => words.split(/\s+/).at(-1) ?? "");
-    case "gltf": return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
-    default: return [];
+    case "obj":
+      return all(/^[ \t]*mtllib[ \t](.+)$/gm);
+    case "mtl":
+      return all(/^[ \t]*map_Kd[ \t](.+)$/gm).map((words) => words.split(/\s+/).at(-1) ?? "");
+    case "gltf":
+      return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
+    default:
+      return [];
   }
 }
 

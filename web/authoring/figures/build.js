@@ -29,7 +29,9 @@ await server.listen();
 const { readModel } = await server.ssrLoadModule("/src/io/read-model.ts");
 const cactus = await readModel([{ name: "cactus.glb", bytes: new Uint8Array(readFileSync(root + "web" + CACTUS)) }]);
 const lines = (letter, values, plus) =>
-  Array.from({ length: values.length / 3 }, (_, i) => [letter, ...Array.from(values.subarray(3 * i, 3 * i + 3), (x) => x + plus)].join(" "));
+  Array.from({ length: values.length / 3 }, (_, i) =>
+    [letter, ...Array.from(values.subarray(3 * i, 3 * i + 3), (x) => x + plus)].join(" "),
+  );
 writeFileSync(build + "cactus.obj", [...lines("v", cactus.positions, 0), ...lines("f", cactus.faces, 1)].join("\n") + "\n");
 
 const programs = process.argv.slice(2);
@@ -60,7 +62,11 @@ await server.close();
 
 const sets = json("fig-4-3.json");
 writeFileSync(figures + "fig-4-3.svg", curves(sets));
-const tables = ["avx2", "sse2"].filter((kind) => existsSync(`${build}table-4-1-${kind}.json`))
+const tables = ["avx2", "sse2"]
+  .filter((kind) => existsSync(`${build}table-4-1-${kind}.json`))
   .map((kind) => ({ kind, rows: json(`table-4-1-${kind}.json`) }));
 const cpu = /model name\s*: (.*)/.exec(readFileSync("/proc/cpuinfo", "utf8"))?.[1] ?? "an unnamed processor";
-writeFileSync(figures + "README.md", readme({ cpu, tables, sets, volumes: json("volumes.json"), fig41: json("fig-4-1.json"), fig36: json("fig-3-6.json") }));
+writeFileSync(
+  figures + "README.md",
+  readme({ cpu, tables, sets, volumes: json("volumes.json"), fig41: json("fig-4-1.json"), fig36: json("fig-3-6.json") }),
+);

@@ -22,7 +22,9 @@ for (const character of characters) {
   for (const motion of motions) {
     const { strip, quality: q } = await page.call("castRow", { ...placeOf(character), motion: `${BASE}assets/motions/${motion.file}` });
     strips.push(strip);
-    rows.push(`| ${motion.name} | ${percent(q.slip, 3)} | ${percent(q.penetration, 2)} | ${q.volume.map((v) => v.toFixed(2)).join(" to ")} | ${q.acceleration.toFixed(0)} | ${q.guesswork.toFixed(2)} |`);
+    rows.push(
+      `| ${motion.name} | ${percent(q.slip, 3)} | ${percent(q.penetration, 2)} | ${q.volume.map((v) => v.toFixed(2)).join(" to ")} | ${q.acceleration.toFixed(0)} | ${q.guesswork.toFixed(2)} |`,
+    );
     console.log(id, rows.at(-1));
   }
   writeFileSync(`${figures}cast-${id}.webp`, bytesOf(await page.call("castSheet", strips)));
@@ -40,11 +42,14 @@ ${rows.join("\n")}
 await page.close();
 
 if (wanted.length === 0) {
-  writeFileSync(`${figures}cast.md`, `# The cast and its repertoire
+  writeFileSync(
+    `${figures}cast.md`,
+    `# The cast and its repertoire
 
 Written by \`node web/authoring/figures/cast.js\`: every character with every motion, solved and drawn by the page's own engine and viewport.
 Slip is the mean horizontal speed of points while they stand; penetration the deepest that any vertex ever lies below the ground; peak
 acceleration that of any point in the body's frame; guesswork how far frames are from the poses that were made by hand (0 taught, 1 guessed).
 
-${tables.join("\n")}`);
+${tables.join("\n")}`,
+  );
 }

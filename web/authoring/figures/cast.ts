@@ -68,7 +68,10 @@ function qualityOf({ performance, cache }: Workspace): Quality {
     acceleration = Math.max(acceleration, Math.hypot(...bend) * 900);
   }
   return {
-    slip: slip.after / STAGE_HEIGHT, penetration: -lowest / STAGE_HEIGHT, volume: [least, most], acceleration: acceleration / STAGE_HEIGHT,
+    slip: slip.after / STAGE_HEIGHT,
+    penetration: -lowest / STAGE_HEIGHT,
+    volume: [least, most],
+    acceleration: acceleration / STAGE_HEIGHT,
     guesswork: Math.sqrt(coverage.reduce((sum, value) => sum + value * value, 0) / frames),
   };
 }

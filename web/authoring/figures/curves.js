@@ -7,7 +7,10 @@ const TOP = 62;
 const COLUMN = WIDTH + 54;
 const ROW = HEIGHT + 64;
 const PER_ROW = 3;
-const METHODS = [["arap", "ARAP", "#0072b2"], ["cartoon", "Cartoon", "#c04f00"]];
+const METHODS = [
+  ["arap", "ARAP", "#0072b2"],
+  ["cartoon", "Cartoon", "#c04f00"],
+];
 
 export function curves(sets) {
   const width = PER_ROW * COLUMN + 8;
@@ -25,8 +28,10 @@ function panel(set, left, top) {
   const frames = set.arap.energy.length - 1;
   const x = (frame) => (left + (frame / frames) * WIDTH).toFixed(1);
   const y = (share) => (top + (1 - share) * HEIGHT).toFixed(1);
-  const labels = METHODS.map(([key, title, colour], m) =>
-    `<text x="${left + WIDTH - 8}" y="${top + 20 + 16 * m}" text-anchor="end" fill="${colour}">${title}: N = ${set[key].needed.toFixed(1)}</text>`);
+  const labels = METHODS.map(
+    ([key, title, colour], m) =>
+      `<text x="${left + WIDTH - 8}" y="${top + 20 + 16 * m}" text-anchor="end" fill="${colour}">${title}: N = ${set[key].needed.toFixed(1)}</text>`,
+  );
   const lines = METHODS.map(([key, , colour]) => {
     const { energy, drops } = set[key];
     const low = energy.at(-1);
@@ -35,7 +40,8 @@ function panel(set, left, top) {
     const dashes = drops.map((frame, k) => `M${x(frame)} ${y([0.3, 0.2, 0.1][k])}V${top + HEIGHT}`).join("");
     return `<path d="${dashes}" stroke="${colour}" stroke-dasharray="3 2" fill="none"/><polyline points="${points}" fill="none" stroke="${colour}" stroke-width="1.6" stroke-linejoin="round"/>`;
   });
-  const ticks = [0, 0.5, 1].map((share) => `<text x="${left - 5}" y="${Number(y(share)) + 4}" text-anchor="end">${100 * share} %</text>`)
+  const ticks = [0, 0.5, 1]
+    .map((share) => `<text x="${left - 5}" y="${Number(y(share)) + 4}" text-anchor="end">${100 * share} %</text>`)
     .concat([0, 20, 40, 60].map((frame) => `<text x="${x(frame)}" y="${top + HEIGHT + 15}" text-anchor="middle">${frame}</text>`));
   return `<g><text x="${left}" y="${top - 9}" font-weight="600" fill="#17212b">${set.name}</text>
 <rect x="${left}" y="${top}" width="${WIDTH}" height="${HEIGHT}" fill="none" stroke="#d2dce2"/>

@@ -70,8 +70,12 @@ async function skinned(url: string): Promise<Skin> {
   const { texture } = drawn;
   return {
     ...drawn,
-    texture: texture && await createImageBitmap(new Blob([texture.bytes.slice()], { type: texture.mime }),
-      { premultiplyAlpha: "none", colorSpaceConversion: "none" }),
+    texture:
+      texture &&
+      (await createImageBitmap(new Blob([texture.bytes.slice()], { type: texture.mime }), {
+        premultiplyAlpha: "none",
+        colorSpaceConversion: "none",
+      })),
   };
 }
 
@@ -105,7 +109,10 @@ async function painted({ faces, surfaces: [rest] }: Surfaces): Promise<Skin> {
   brush.arc(0.5 * size, 0.4 * size, 0.06 * size, 0.5, Math.PI - 0.5);
   brush.stroke();
   return {
-    index: Uint32Array.from(faces), toVertex: Uint32Array.from({ length: count }, (_, v) => v), colors: null, uvs,
+    index: Uint32Array.from(faces),
+    toVertex: Uint32Array.from({ length: count }, (_, v) => v),
+    colors: null,
+    uvs,
     texture: await createImageBitmap(canvas),
   };
 }

@@ -9,8 +9,12 @@ import { bytesOf, openPage } from "./browser.js";
 const root = fileURLToPath(new URL("../../../", import.meta.url));
 const data = fileURLToPath(new URL("../../../../shared/data/", import.meta.url));
 const given = process.argv.slice(2).map((path) => resolve(path));
-const clips = [["02.asf", "02_01.amc"], ["02.asf", "02_04.amc"]].map((files) => files.map((file) => `${data}motions/${file}`));
-const jobs = given.length > 1 ? [given] : ["spot.obj", "cheburashka.off"].flatMap((model) => clips.map((clip) => [`${data}meshes/${model}`, ...clip]));
+const clips = [
+  ["02.asf", "02_01.amc"],
+  ["02.asf", "02_04.amc"],
+].map((files) => files.map((file) => `${data}motions/${file}`));
+const jobs =
+  given.length > 1 ? [given] : ["spot.obj", "cheburashka.off"].flatMap((model) => clips.map((clip) => [`${data}meshes/${model}`, ...clip]));
 
 const page = await openPage("guesses.html", { outside: true });
 const stem = (path) => basename(path).replace(/\.[^.]*$/, "");

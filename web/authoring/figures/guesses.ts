@@ -19,8 +19,12 @@ declare global {
 }
 
 window.drawGuess = async ({ model: modelUrl, motion: motionUrls, frames }) => {
-  const [modelFile, ...motionFiles] = await Promise.all([modelUrl, ...motionUrls].map(async (url) => (
-    { name: url.slice(url.lastIndexOf("/") + 1), bytes: new Uint8Array(await (await fetch(url)).arrayBuffer()) })));
+  const [modelFile, ...motionFiles] = await Promise.all(
+    [modelUrl, ...motionUrls].map(async (url) => ({
+      name: url.slice(url.lastIndexOf("/") + 1),
+      bytes: new Uint8Array(await (await fetch(url)).arrayBuffer()),
+    })),
+  );
   const model = await readModel([modelFile!]);
   const [motion] = findMotions(motionFiles).motions;
   let present: ProjectDocument = newDocument("", { file: "", facing: "+z", up: "+y" }, { files: [] });

@@ -10,7 +10,10 @@ const characters = JSON.parse(readFileSync(`${WEB}assets/characters/index.json`,
 const dancers = wanted.map((id) => placeOf(characters.find((character) => character.id === id)));
 
 const page = await openPage("loop.html");
-const gif = Buffer.from(await page.call("drawLoop", { dancers, motion: `${BASE}assets/motions/${motion}.bvh`, pixels: 144, every: 2 }), "base64");
+const gif = Buffer.from(
+  await page.call("drawLoop", { dancers, motion: `${BASE}assets/motions/${motion}.bvh`, pixels: 144, every: 2 }),
+  "base64",
+);
 await page.close();
 writeFileSync(fileURLToPath(new URL("../../../docs/dance.gif", import.meta.url)), gif);
 console.log(`docs/dance.gif: ${(gif.length / 1000).toFixed(0)} kB`);

@@ -42,7 +42,9 @@ window.drawLoop = async ({ dancers, motion, pixels, every }) => {
   const some = pictures.filter((_, k) => k % 8 === 0);
   const palette = quantize(Uint8ClampedArray.from(some.flatMap((data) => [...data])), 256);
   const gif = GIFEncoder();
-  pictures.forEach((data, k) => gif.writeFrame(applyPalette(data, palette), canvas.width, canvas.height, { ...(k === 0 && { palette }), delay: (1000 * every) / 30 }));
+  pictures.forEach((data, k) =>
+    gif.writeFrame(applyPalette(data, palette), canvas.width, canvas.height, { ...(k === 0 && { palette }), delay: (1000 * every) / 30 }),
+  );
   gif.finish();
   return btoa(Array.from(gif.bytes(), (byte: number) => String.fromCharCode(byte)).join(""));
 };

@@ -1,6 +1,6 @@
 // Moments of a figure side by side, lit and seen as on the page's stage.
 
-import { Box3, Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { Box3, type Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { toStage } from "../../src/document/stage";
 import type { ProjectDocument } from "../../src/document/types";
 import type { Model } from "../../src/io/model";
@@ -21,8 +21,18 @@ export interface Figure {
 
 export async function theModel(model: Model, document: ProjectDocument, workspace: Workspace): Promise<Figure> {
   const { drawn } = model;
-  const texture = drawn.texture && await createImageBitmap(new Blob([drawn.texture.bytes.slice()], { type: drawn.texture.mime }), { premultiplyAlpha: "none", colorSpaceConversion: "none" });
-  const figure = new ModelFigure({ ...drawn, positions: toStage(stageFor(model, document.mesh), drawn.positions), faces: model.faces, texture });
+  const texture =
+    drawn.texture &&
+    (await createImageBitmap(new Blob([drawn.texture.bytes.slice()], { type: drawn.texture.mime }), {
+      premultiplyAlpha: "none",
+      colorSpaceConversion: "none",
+    }));
+  const figure = new ModelFigure({
+    ...drawn,
+    positions: toStage(stageFor(model, document.mesh), drawn.positions),
+    faces: model.faces,
+    texture,
+  });
   return {
     group: figure.group,
     frames: workspace.cache.length,

@@ -21,4 +21,4 @@ export function toPath(p, path) {
 }
 /** Points of an arc from one end to the other that sags by `depth` in the middle. */
 export const smile = ([x0, y0], [x1, y1], depth, n = 12) =>
-  Array.from({ length: n + 1 }, (_, i) => [x0 + ((x1 - x0) * i) / n, y0 + ((y1 - y0) * i) / n - depth * (1 - (2 * i / n - 1) ** 2)]);
+  Array.from({ length: n + 1 }, (_, i) => [x0 + ((x1 - x0) * i) / n, y0 + ((y1 - y0) * i) / n - depth * (1 - ((2 * i) / n - 1) ** 2)]);

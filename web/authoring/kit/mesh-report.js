@@ -47,7 +47,7 @@ export function reportMesh(vertices, triangles) {
 /** Pairs of triangles without a common vertex of which one's edge passes through the other; candidates share a cell of a grid. */
 function countIntersections(vertices, triangles) {
   const box = triangles.map((t) => [0, 1, 2].map((k) => t.map((v) => vertices[v][k])).map((x) => [Math.min(...x), Math.max(...x)]));
-  const cell = 2 * box.reduce((sum, b) => sum + Math.max(...b.map(([low, high]) => high - low)), 0) / triangles.length;
+  const cell = (2 * box.reduce((sum, b) => sum + Math.max(...b.map(([low, high]) => high - low)), 0)) / triangles.length;
   const grid = new Map();
   let count = 0;
   triangles.forEach((t, i) => {

@@ -17,7 +17,11 @@ function contactsOf(worlds, side, fps) {
     });
   };
   const [toe, ankle] = [low(`${side}Toe`), low(`${side}Foot`)];
-  return toe.map((x, i) => ({ touch: x.touch || ankle[i].touch, clear: Math.min(x.over, ankle[i].over) > 4.5, over: Math.min(x.over, ankle[i].over) }));
+  return toe.map((x, i) => ({
+    touch: x.touch || ankle[i].touch,
+    clear: Math.min(x.over, ankle[i].over) > 4.5,
+    over: Math.min(x.over, ankle[i].over),
+  }));
 }
 
 const runs = (flags) => {
@@ -55,7 +59,12 @@ export function reportMotion(poses, fps, { travels }) {
   const slide = ["Left", "Right"].map((side) => {
     const ball = (i) => worlds[i][`${side}Toe`];
     const planted = runs(poses.map((_, i) => ball(i)[1] < BALL_HEIGHT + 0.01));
-    return Math.max(0, ...planted.map(([a, b]) => Math.max(...Array.from({ length: b - a }, (_, k) => Math.hypot(ball(a + k)[0] - ball(a)[0], ball(a + k)[2] - ball(a)[2])))));
+    return Math.max(
+      0,
+      ...planted.map(([a, b]) =>
+        Math.max(...Array.from({ length: b - a }, (_, k) => Math.hypot(ball(a + k)[0] - ball(a)[0], ball(a + k)[2] - ball(a)[2]))),
+      ),
+    );
   });
   const step = (i, j) => names.map((n) => angleBetween(poses[i].local[n] ?? identity, poses[j].local[n] ?? identity));
   const turns = poses.slice(1).map((_, i) => step(i, i + 1));
@@ -63,15 +72,18 @@ export function reportMotion(poses, fps, { travels }) {
   const fastestFrame = turns.findIndex((row) => row.includes(fastest));
   const n = poses.length;
   // A jump at the seam shows as a second difference larger than elsewhere.
-  const bend = (i) => Math.max(...names.map((name) => {
-    const at = (k) => {
-      const shift = travels && k >= n ? travels : [0, 0, 0];
-      const w = worlds[((k % n) + n) % n][name];
-      return w.map((x, c) => x + shift[c]);
-    };
-    const [a, b, c] = [at(i), at(i + 1), at(i + 2)];
-    return Math.hypot(...a.map((_, k) => a[k] - 2 * b[k] + c[k]));
-  }));
+  const bend = (i) =>
+    Math.max(
+      ...names.map((name) => {
+        const at = (k) => {
+          const shift = travels && k >= n ? travels : [0, 0, 0];
+          const w = worlds[((k % n) + n) % n][name];
+          return w.map((x, c) => x + shift[c]);
+        };
+        const [a, b, c] = [at(i), at(i + 1), at(i + 2)];
+        return Math.hypot(...a.map((_, k) => a[k] - 2 * b[k] + c[k]));
+      }),
+    );
   const inner = Array.from({ length: n - 2 }, (_, i) => bend(i));
   return {
     frames: n,
@@ -80,10 +92,17 @@ export function reportMotion(poses, fps, { travels }) {
     lowestToeEnd: +Math.min(...worlds.flatMap((w) => [w["LeftToe_end"][1], w["RightToe_end"][1]])).toFixed(2),
     lowestAnkle: +(Math.min(...worlds.flatMap((w) => [w.LeftFoot[1], w.RightFoot[1]])) - ANKLE_HEIGHT).toFixed(2),
     slideMillimetres: slide.map((x) => +(10 * x).toFixed(3)),
-    contacts: sides.map((s) => runs(s.map((x) => x.touch)).map((r) => r.join("-")).join(" ")),
+    contacts: sides.map((s) =>
+      runs(s.map((x) => x.touch))
+        .map((r) => r.join("-"))
+        .join(" "),
+    ),
     flights,
     fastestTurn: `${fastest.toFixed(1)} deg per frame, ${names[turns[fastestFrame].indexOf(fastest)]} at ${fastestFrame}`,
     seamTurn: `${Math.max(...step(n - 1, 0)).toFixed(2)} deg`,
-    secondDifference: { worst: `${Math.max(...inner).toFixed(2)} cm at ${inner.indexOf(Math.max(...inner))}`, seam: `${Math.max(bend(n - 2), bend(n - 1)).toFixed(2)} cm` },
+    secondDifference: {
+      worst: `${Math.max(...inner).toFixed(2)} cm at ${inner.indexOf(Math.max(...inner))}`,
+      seam: `${Math.max(bend(n - 2), bend(n - 1)).toFixed(2)} cm`,
+    },
   };
 }

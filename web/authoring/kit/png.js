@@ -23,7 +23,7 @@ function chunk(type, data) {
 /** Median cut: splits the box with the largest spread until there are `limit`; gives the colours and a lookup. */
 function makePalette(counts, limit) {
   const entries = [...counts].map(([key, n]) => ({ key, rgb: [key >> 16, (key >> 8) & 255, key & 255], n }));
-  let boxes = [entries];
+  const boxes = [entries];
   const spread = (box) => {
     const ranges = [0, 1, 2].map((k) => Math.max(...box.map((e) => e.rgb[k])) - Math.min(...box.map((e) => e.rgb[k])));
     const channel = ranges.indexOf(Math.max(...ranges));
@@ -37,7 +37,10 @@ function makePalette(counts, limit) {
     box.sort((a, b) => a.rgb[channel] - b.rgb[channel] || a.key - b.key);
     const low = box[0].rgb[channel];
     const middle = (low + box.at(-1).rgb[channel]) / 2;
-    const cut = Math.max(1, box.findIndex((e) => e.rgb[channel] > middle));
+    const cut = Math.max(
+      1,
+      box.findIndex((e) => e.rgb[channel] > middle),
+    );
     boxes.splice(pick, 1, box.slice(0, cut), box.slice(cut));
   }
   boxes.sort((a, b) => b.reduce((s, e) => s + e.n, 0) - a.reduce((s, e) => s + e.n, 0));

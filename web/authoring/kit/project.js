@@ -16,15 +16,30 @@ function bodyLocal(pose) {
   // Twist of the unit quaternion (w, x, y, z) about y: atan2(y, w), doubled.
   const yaw = (2 * Math.atan2((m[2] - m[6]) / 4, (1 + m[0] + m[4] + m[8]) / 4) * 180) / Math.PI;
   const back = rotY(-yaw);
-  return Object.fromEntries(Object.entries(world).map(([name, p]) => [name, round(rotate(back, sub(p, world.Hips)).map((x) => x / 100), 4)]));
+  return Object.fromEntries(
+    Object.entries(world).map(([name, p]) => [
+      name,
+      round(
+        rotate(back, sub(p, world.Hips)).map((x) => x / 100),
+        4,
+      ),
+    ]),
+  );
 }
 
 /** A row with `pair` stands for its left one, as written, and the right one; the others of such a table lie in the middle. */
 const expand = ({ pair, id, name, joint, near, ...rest }) =>
   pair
-    ? [["right", flipped(near)], ["left", near]].map(([side, at]) => ({
-        ...rest, id: `${side}-${id}`, name: `${side[0].toUpperCase()}${side.slice(1)} ${name.toLowerCase()}`, near: at,
-        joint: joint && side[0].toUpperCase() + side.slice(1) + joint, mirror: swapSides(`${side}-${id}`),
+    ? [
+        ["right", flipped(near)],
+        ["left", near],
+      ].map(([side, at]) => ({
+        ...rest,
+        id: `${side}-${id}`,
+        name: `${side[0].toUpperCase()}${side.slice(1)} ${name.toLowerCase()}`,
+        near: at,
+        joint: joint && side[0].toUpperCase() + side.slice(1) + joint,
+        mirror: swapSides(`${side}-${id}`),
       }))
     : [{ id, name, joint, near, ...rest }];
 
@@ -39,11 +54,28 @@ const expand = ({ pair, id, name, joint, near, ...rest }) =>
 export function makeProject({ name, file, vertices, points: rows, poses, settings, motions, opens, motionsFolder }) {
   const nearest = (p) => vertices.reduce((best, v) => (distance(v, p) < distance(best, p) ? v : best));
   const symmetric = rows.some((row) => row.pair);
-  const points = rows.flatMap(expand).map(({ id, name: label, joint, near, radius, mirror = symmetric ? id : undefined }) =>
-    ({ id, name: label, position: round(nearest(near), 4), joint, radius, ...(mirror && { mirror }) }));
+  const points = rows
+    .flatMap(expand)
+    .map(({ id, name: label, joint, near, radius, mirror = symmetric ? id : undefined }) => ({
+      id,
+      name: label,
+      position: round(nearest(near), 4),
+      joint,
+      radius,
+      ...(mirror && { mirror }),
+    }));
   const pairs = new Set(rows.filter((row) => row.pair).map((row) => row.id));
-  const bothSides = (moves) => Object.fromEntries(Object.entries(moves).flatMap(([id, move]) =>
-    pairs.has(id) ? [[`left-${id}`, move], [`right-${id}`, flipped(move)]] : [[id, move]]));
+  const bothSides = (moves) =>
+    Object.fromEntries(
+      Object.entries(moves).flatMap(([id, move]) =>
+        pairs.has(id)
+          ? [
+              [`left-${id}`, move],
+              [`right-${id}`, flipped(move)],
+            ]
+          : [[id, move]],
+      ),
+    );
   const mirrored = (moves) => Object.fromEntries(Object.entries(moves).map(([id, move]) => [swapSides(id), flipped(move)]));
   const example = ({ id, motion, seconds }, moves) => {
     const { file: source, fps, poses: frames } = motions[motion];
@@ -52,7 +84,15 @@ export function makeProject({ name, file, vertices, points: rows, poses, setting
       id,
       source: { motion: source, frame },
       joints: bodyLocal(frames[frame * (fps / EXAMPLE_FPS)]),
-      points: Object.fromEntries(points.map((p) => [p.id, round(p.position.map((x, k) => x + (moves[p.id]?.[k] ?? 0)), 4)])),
+      points: Object.fromEntries(
+        points.map((p) => [
+          p.id,
+          round(
+            p.position.map((x, k) => x + (moves[p.id]?.[k] ?? 0)),
+            4,
+          ),
+        ]),
+      ),
     };
   };
   const examples = poses.flatMap((pose) => {

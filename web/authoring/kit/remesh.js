@@ -109,8 +109,14 @@ function split(m, a, b) {
   m.normal.push([0, 0, 0]);
   for (const f of wings) {
     const t = m.faces[f];
-    m.setFace(f, t.map((w) => (w === b ? v : w)));
-    m.setFace(m.faces.length, t.map((w) => (w === a ? v : w)));
+    m.setFace(
+      f,
+      t.map((w) => (w === b ? v : w)),
+    );
+    m.setFace(
+      m.faces.length,
+      t.map((w) => (w === a ? v : w)),
+    );
   }
   m.place(v, m.p[v]);
 }
@@ -119,7 +125,10 @@ function splitLong(m, wish, factor) {
   const ratio = ([a, b]) => distance(m.p[a], m.p[b]) / wish(middle(m, a, b));
   // An inner edge between two vertices of the border would be there twice once the half is mirrored.
   const isBridge = ([a, b]) => m.border[a] && m.border[b] && m.wings(a, b).length === 2;
-  const long = m.edges().map((e) => [ratio(e), e]).filter(([r, e]) => r > factor || isBridge(e));
+  const long = m
+    .edges()
+    .map((e) => [ratio(e), e])
+    .filter(([r, e]) => r > factor || isBridge(e));
   long.sort((x, y) => y[0] - x[0]);
   for (const [, [a, b]] of long) if (m.wings(a, b).length) split(m, a, b);
 }
@@ -143,13 +152,20 @@ function collapse(m, a, b, isFine = () => true) {
     if (dot(turned, before) < 0.6 * length(turned) * length(before) || !isFine(q)) return false;
   }
   for (const f of wings) m.setFace(f, null);
-  for (const f of [...m.around[b]]) m.setFace(f, m.faces[f].map((v) => (v === b ? a : v)));
+  for (const f of [...m.around[b]])
+    m.setFace(
+      f,
+      m.faces[f].map((v) => (v === b ? a : v)),
+    );
   m.place(a, p);
   return true;
 }
 
 function collapseShort(m, wish, factor) {
-  const short = m.edges().map(([a, b]) => [distance(m.p[a], m.p[b]) / wish(middle(m, a, b)), a, b]).filter(([r]) => r < factor);
+  const short = m
+    .edges()
+    .map(([a, b]) => [distance(m.p[a], m.p[b]) / wish(middle(m, a, b)), a, b])
+    .filter(([r]) => r < factor);
   short.sort((x, y) => x[0] - y[0]);
   for (const [, a, b] of short) {
     const wings = m.wings(a, b);
@@ -229,7 +245,9 @@ function mend(m, degrees) {
     const t = m.faces[f];
     if (!t || leastAngle(...t.map((v) => m.p[v])) > (degrees * Math.PI) / 180) continue;
     bad = true;
-    const edges = [0, 1, 2].map((k) => [t[k], t[(k + 1) % 3]]).sort((x, y) => distance(m.p[x[0]], m.p[x[1]]) - distance(m.p[y[0]], m.p[y[1]]));
+    const edges = [0, 1, 2]
+      .map((k) => [t[k], t[(k + 1) % 3]])
+      .sort((x, y) => distance(m.p[x[0]], m.p[x[1]]) - distance(m.p[y[0]], m.p[y[1]]));
     if (!edges.slice(0, 1).some(([a, b]) => collapse(m, a, b) || collapse(m, b, a))) split(m, ...edges[2]);
   }
   return bad;

@@ -7,7 +7,10 @@ import { add, clamp, sub } from "./vec3.js";
 
 export const FPS = 30;
 const G = 981;
-const SIDES = [["Left", 1], ["Right", -1]];
+const SIDES = [
+  ["Left", 1],
+  ["Right", -1],
+];
 const OVER_FEET = 4.5; // that the centre of mass stands before the ankles
 const STANCE = { x: 11, yaw: 9, splay: 7 };
 
@@ -20,7 +23,10 @@ export const swap = (half, a, b) => [...a, ...b.map(([t, ...rest]) => [t + half,
 function withFlights(period, keys, flights) {
   const nodes = [
     ...keys.map(([t, p]) => ({ t, p })),
-    ...flights.flatMap((f) => [{ t: f.start, p: f.p0, v: f.v0, a: f.a, flight: f }, { t: f.end, p: f.p1, v: f.v1, a: f.a }]),
+    ...flights.flatMap((f) => [
+      { t: f.start, p: f.p0, v: f.v0, a: f.a, flight: f },
+      { t: f.end, p: f.p1, v: f.v1, a: f.a },
+    ]),
   ].sort((a, b) => a.t - b.t);
   const n = nodes.length;
   const at = (i) => ({ ...nodes[((i % n) + n) % n], t: nodes[((i % n) + n) % n].t + Math.floor(i / n) * period });
@@ -48,7 +54,17 @@ const fall = ({ start, end, rise, fall: low }) => {
   const v0 = (low - rise) / d + (G * d) / 2;
   return { start, end, p0: rise, p1: low, v0, v1: v0 - G * d, a: -G };
 };
-const glide = (axis) => ({ start, end, [axis]: [p0, p1] = [0, 0] }) => ({ start, end, p0, p1, v0: (p1 - p0) / (end - start), v1: (p1 - p0) / (end - start), a: 0 });
+const glide =
+  (axis) =>
+  ({ start, end, [axis]: [p0, p1] = [0, 0] }) => ({
+    start,
+    end,
+    p0,
+    p1,
+    v0: (p1 - p0) / (end - start),
+    v1: (p1 - p0) / (end - start),
+    a: 0,
+  });
 
 const smooth = (s) => s * s * s * (10 + s * (6 * s - 15));
 
@@ -57,16 +73,56 @@ const smooth = (s) => s * s * s * (10 + s * (6 * s - 15));
  * leaves), toes (as it lands), path: [[t, x, y, z]] (on its way) }; x outwards. Before the first step it stands where the last one ends.
  */
 function makeFoot(sign, period, travel, { steps = [], heel = [[0, 0]], pivot = [[0, 0]], stand = {} }) {
-  const placed = steps.map(([leave, land, place]) => ({ leave, land, lift: 9, heel: 34, toes: 12, path: [], ...STANCE, z: 0, angle: 0, ...place }));
+  const placed = steps.map(([leave, land, place]) => ({
+    leave,
+    land,
+    lift: 9,
+    heel: 34,
+    toes: 12,
+    path: [],
+    ...STANCE,
+    z: 0,
+    angle: 0,
+    ...place,
+  }));
   const still = { ...STANCE, z: 0, angle: 0, ...stand };
   const ballOf = ({ x, z, angle, shift }) => add(rotate(rotY(angle), [sign * x, BALL_HEIGHT, z + ANKLE_TO_BALL[2]]), [0, 0, shift]);
-  const pitch = easeKeys(period, placed.length === 0 ? [[0, 0]] : inOrder(period, placed.flatMap((s) => {
-    const d = s.land - s.leave;
-    return [[s.leave - Math.min(0.2, 0.5 * d), 0], [s.leave + 0.03, s.heel], [s.leave + 0.55 * d, 0.45 * s.heel], [s.land, s.toes], [s.land + 0.1, 0]];
-  })));
-  const bend = easeKeys(period, placed.length === 0 ? [[0, 1]] : inOrder(period, placed.flatMap((s) => [[s.leave, 1], [s.leave + 0.4 * (s.land - s.leave), 0.25], [s.leave + 0.7 * (s.land - s.leave), 0.25], [s.land, 1]])));
+  const pitch = easeKeys(
+    period,
+    placed.length === 0
+      ? [[0, 0]]
+      : inOrder(
+          period,
+          placed.flatMap((s) => {
+            const d = s.land - s.leave;
+            return [
+              [s.leave - Math.min(0.2, 0.5 * d), 0],
+              [s.leave + 0.03, s.heel],
+              [s.leave + 0.55 * d, 0.45 * s.heel],
+              [s.land, s.toes],
+              [s.land + 0.1, 0],
+            ];
+          }),
+        ),
+  );
+  const bend = easeKeys(
+    period,
+    placed.length === 0
+      ? [[0, 1]]
+      : inOrder(
+          period,
+          placed.flatMap((s) => [
+            [s.leave, 1],
+            [s.leave + 0.4 * (s.land - s.leave), 0.25],
+            [s.leave + 0.7 * (s.land - s.leave), 0.25],
+            [s.land, 1],
+          ]),
+        ),
+  );
   // A step may end in the next period, and stands until the one after it begins.
-  const rounds = [-2, -1, 0].flatMap((k) => placed.map((s) => ({ ...s, leave: s.leave + k * period, land: s.land + k * period, shift: k * travel })));
+  const rounds = [-2, -1, 0].flatMap((k) =>
+    placed.map((s) => ({ ...s, leave: s.leave + k * period, land: s.land + k * period, shift: k * travel })),
+  );
   const [heelUp, turn] = [easeKeys(period, heel), loopSpline(period, pivot)];
   return (t, turned) => {
     const at = rounds.findLastIndex((s) => t >= s.leave);
@@ -80,13 +136,33 @@ function makeFoot(sign, period, travel, { steps = [], heel = [[0, 0]], pivot = [
       const turnBy = ((now.angle - from.angle + 540) % 360) - 180;
       yaw = from.angle + turnBy * smooth(s) + sign * (from.yaw + (now.yaw - from.yaw) * smooth(s));
       if (now.path.length > 0 && s < 1) {
-        const keys = [[now.leave, ...begin], ...now.path.map(([time, x, y, z]) => [time + now.land - placed.find((p) => p.path === now.path).land, sign * x, BALL_HEIGHT + y, z + ANKLE_TO_BALL[2] + now.shift]), [now.land, ...target]];
+        const keys = [
+          [now.leave, ...begin],
+          ...now.path.map(([time, x, y, z]) => [
+            time + now.land - placed.find((p) => p.path === now.path).land,
+            sign * x,
+            BALL_HEIGHT + y,
+            z + ANKLE_TO_BALL[2] + now.shift,
+          ]),
+          [now.land, ...target],
+        ];
         ball = [1, 2, 3].map((k) => splineThrough(keys.map((key) => [key[0], key[k]]))(t));
-      } else ball = add(begin, sub(target, begin).map((x) => x * smooth(s)));
+      } else
+        ball = add(
+          begin,
+          sub(target, begin).map((x) => x * smooth(s)),
+        );
       air = now.path.length > 0 ? 0 : now.lift * (4 * s * (1 - s)) ** 1.3;
     }
     const p = pitch(t) + heelUp(t);
-    return { ball: add(ball, [0, air, 0]), yaw: yaw + turn(t), pitch: p, toe: p > 0 ? -p * bend(t) : 0, splay: still.splay, knee: ((((yaw - turned) % 360) + 540) % 360) - 180 };
+    return {
+      ball: add(ball, [0, air, 0]),
+      yaw: yaw + turn(t),
+      pitch: p,
+      toe: p > 0 ? -p * bend(t) : 0,
+      splay: still.splay,
+      knee: ((((yaw - turned) % 360) + 540) % 360) - 180,
+    };
   };
 }
 const inOrder = (period, keys) => keys.map(([t, v]) => [((t % period) + period) % period, v]).sort((a, b) => a[0] - b[0]);
@@ -114,18 +190,33 @@ export function perform({ period, cycles = 1, travel = 0, flights = [], mass = {
   const sample = (curve) => Array.from({ length: frames }, (_, i) => curve(i / FPS));
   const tracks = Object.fromEntries(["pitch", "roll", "yaw", "curl", "bend", "twist"].map((name) => [name, keysOf(body[name])]));
   const head = Object.fromEntries(["nod", "tilt", "look"].map((name) => [name, follow(sample(keysOf(body[name])), FPS, 3.2, 0.6)]));
-  const whole = splineThrough(spin.length > 1 ? spin : [[0, 0], [period, 0]]);
-  const limb = Object.fromEntries(SIDES.map(([name]) => {
-    const own = arms[name] ?? {};
-    const track = (key, rest, frequency, damping) => follow(sample(loopSpline(period, own[key] ?? [[0, rest]])), FPS, frequency, damping);
-    const out = track("out", 10, 6, 0.8);
-    const late = follow(out, FPS, 2.6, 0.5);
-    return [name, {
-      forward: track("forward", 4, 6, 0.8), out, turn: track("turn", -12, 6, 0.9), shrug: track("shrug", 0, 5, 0.9),
-      elbow: track("elbow", 18, 4.5, 0.65).map((x) => Math.max(4, x)),
-      wrist: track("wrist", 0, 4, 0.6).map((x, i) => clamp(x + (late[i] - out[i]) * 0.4, -50, 50)),
-    }];
-  }));
+  const whole = splineThrough(
+    spin.length > 1
+      ? spin
+      : [
+          [0, 0],
+          [period, 0],
+        ],
+  );
+  const limb = Object.fromEntries(
+    SIDES.map(([name]) => {
+      const own = arms[name] ?? {};
+      const track = (key, rest, frequency, damping) => follow(sample(loopSpline(period, own[key] ?? [[0, rest]])), FPS, frequency, damping);
+      const out = track("out", 10, 6, 0.8);
+      const late = follow(out, FPS, 2.6, 0.5);
+      return [
+        name,
+        {
+          forward: track("forward", 4, 6, 0.8),
+          out,
+          turn: track("turn", -12, 6, 0.9),
+          shrug: track("shrug", 0, 5, 0.9),
+          elbow: track("elbow", 18, 4.5, 0.65).map((x) => Math.max(4, x)),
+          wrist: track("wrist", 0, 4, 0.6).map((x, i) => clamp(x + (late[i] - out[i]) * 0.4, -50, 50)),
+        },
+      ];
+    }),
+  );
   const foot = Object.fromEntries(SIDES.map(([name, sign]) => [name, makeFoot(sign, period, travel, feet[name] ?? {})]));
   const way = (axis, made) => (flights.length > 0 ? withFlights(period, mass[axis] ?? [], flights.map(made)) : keysOf(mass[axis]));
   const [x, y, z] = [way("x", glide("x")), way("y", fall), way("z", glide("z"))];
@@ -138,7 +229,14 @@ export function perform({ period, cycles = 1, travel = 0, flights = [], mass = {
     let stretch = 0;
     for (const [name] of SIDES) {
       const a = limb[name];
-      setArm(local, name, { forward: a.forward[i], out: a.out[i], turn: a.turn[i] - 0.35 * clamp(a.out[i] - 60, 0, 90), elbow: a.elbow[i], wrist: a.wrist[i], shrug: a.shrug[i] + clamp((a.out[i] - 40) * 0.16, 0, 18) });
+      setArm(local, name, {
+        forward: a.forward[i],
+        out: a.out[i],
+        turn: a.turn[i] - 0.35 * clamp(a.out[i] - 60, 0, 90),
+        elbow: a.elbow[i],
+        wrist: a.wrist[i],
+        shrug: a.shrug[i] + clamp((a.out[i] - 40) * 0.16, 0, 18),
+      });
       stretch = Math.max(stretch, solveLeg(local, name, root, hips, foot[name](t, turned)));
     }
     setHead(local, placeJoints({ root, local }).turn, { pitch: head.nod[i], roll: head.tilt[i], yaw: turned + head.look[i] });

@@ -6,11 +6,13 @@ const PAD = 2; // texels painted beyond a chart's edge
 const SAMPLES = 3; // per texel and axis
 
 // A chart looks along `axis`; across and up are the picture's directions.
-const VIEWS = [0, 1, 2].flatMap((axis) => [1, -1].map((s) => ({
-  axis: [0, 1, 2].map((k) => (k === axis ? s : 0)),
-  across: axis === 0 ? [0, 0, -s] : [axis === 1 ? 1 : s, 0, 0],
-  up: axis === 1 ? [0, 0, -s] : [0, 1, 0],
-})));
+const VIEWS = [0, 1, 2].flatMap((axis) =>
+  [1, -1].map((s) => ({
+    axis: [0, 1, 2].map((k) => (k === axis ? s : 0)),
+    across: axis === 0 ? [0, 0, -s] : [axis === 1 ? 1 : s, 0, 0],
+    up: axis === 1 ? [0, 0, -s] : [0, 1, 0],
+  })),
+);
 
 /**
  * paint(p) gives [r, g, b] of 0 to 255 at a place of the surface. zone(p), if given, names parts to be charted apart: { name, density,
@@ -21,10 +23,16 @@ export function makeSkin({ vertices, triangles }, paint, { size, zone = () => nu
   pack(charts, size);
   const uv = new Array(triangles.length);
   const texel = new Map();
-  for (const chart of charts)
-    for (const f of chart.faces) uv[f] = triangles[f].map((v) => chart.place(vertices[v]));
+  for (const chart of charts) for (const f of chart.faces) uv[f] = triangles[f].map((v) => chart.place(vertices[v]));
   const rgb = new Uint8Array(size * size * 3).fill(128);
-  for (const grow of [0, PAD]) uv.forEach((corners, f) => paintTriangle(corners, triangles[f].map((v) => vertices[v]), grow));
+  for (const grow of [0, PAD])
+    uv.forEach((corners, f) =>
+      paintTriangle(
+        corners,
+        triangles[f].map((v) => vertices[v]),
+        grow,
+      ),
+    );
   return { uv: uv.map((t) => t.map((c) => c.map((x) => x / size))), png: encodePng(size, size, rgb) };
 
   function paintTriangle(st, p, grow) {
@@ -60,9 +68,18 @@ function makeCharts(vertices, triangles, zone) {
     const [a, b, c] = t.map((v) => vertices[v]);
     return normalize(cross(sub(b, a), sub(c, a)));
   });
-  const zones = triangles.map((t) => zone(scale(t.reduce((sum, v) => add(sum, vertices[v]), [0, 0, 0]), 1 / 3)));
+  const zones = triangles.map((t) =>
+    zone(
+      scale(
+        t.reduce((sum, v) => add(sum, vertices[v]), [0, 0, 0]),
+        1 / 3,
+      ),
+    ),
+  );
   const facing = (f, view) => dot(normals[f], VIEWS[view].axis);
-  const label = triangles.map((_, f) => zones[f]?.axis ?? VIEWS.reduce((best, _v, i) => (facing(f, i) > facing(f, best) + 0.05 ? i : best), 0));
+  const label = triangles.map(
+    (_, f) => zones[f]?.axis ?? VIEWS.reduce((best, _v, i) => (facing(f, i) > facing(f, best) + 0.05 ? i : best), 0),
+  );
   const neighbours = facesBeside(triangles);
   const sameZone = (f, g) => zones[f]?.name === zones[g]?.name;
   // Ragged borders: a triangle joins the most common view beside it, if it does not turn away from that.
@@ -90,7 +107,16 @@ function makeCharts(vertices, triangles, zone) {
     const bound = (pick, k) => points.reduce((m, q) => pick(m, q[k]), points[0][k]);
     const [left, top] = [bound(Math.min, 0), bound(Math.min, 1)];
     const density = zones[start]?.density ?? 1;
-    charts.push({ faces, across, up, left, top, density, width: (bound(Math.max, 0) - left) * density, height: (bound(Math.max, 1) - top) * density });
+    charts.push({
+      faces,
+      across,
+      up,
+      left,
+      top,
+      density,
+      width: (bound(Math.max, 0) - left) * density,
+      height: (bound(Math.max, 1) - top) * density,
+    });
   });
   return charts;
 }
@@ -98,11 +124,13 @@ function makeCharts(vertices, triangles, zone) {
 function facesBeside(triangles) {
   const of = new Map();
   const key = (a, b) => (a < b ? `${a},${b}` : `${b},${a}`);
-  triangles.forEach((t, f) => t.forEach((v, k) => {
-    const e = key(v, t[(k + 1) % 3]);
-    if (!of.has(e)) of.set(e, []);
-    of.get(e).push(f);
-  }));
+  triangles.forEach((t, f) =>
+    t.forEach((v, k) => {
+      const e = key(v, t[(k + 1) % 3]);
+      if (!of.has(e)) of.set(e, []);
+      of.get(e).push(f);
+    }),
+  );
   return triangles.map((t, f) => t.flatMap((v, k) => of.get(key(v, t[(k + 1) % 3])).filter((g) => g !== f)));
 }
 

@@ -60,7 +60,10 @@ export function relax(surface, moving, rounds) {
   for (let k = 0; k < rounds; k++) {
     const next = moving.map((v) => {
       const around = [...neighbours.get(v)];
-      const mean = scale(around.reduce((sum, w) => add(sum, surface.vertices[w]), [0, 0, 0]), 1 / around.length);
+      const mean = scale(
+        around.reduce((sum, w) => add(sum, surface.vertices[w]), [0, 0, 0]),
+        1 / around.length,
+      );
       return mix(surface.vertices[v], mean, 0.5);
     });
     moving.forEach((v, i) => (surface.vertices[v] = next[i]));

@@ -17,32 +17,42 @@ export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): Cli
 }
 
 /** A new pin, or another place for the one that has its point, frame and kind. */
-export const setPin = (pin: Pin): Command => changeClip(({ pins = [], ...clip }) => {
-  const others = pins.filter((old) => old.id !== pin.id && !(old.point === pin.point && old.frame === pin.frame && old.kind === pin.kind));
-  return { ...clip, pins: [...others, pin].sort((a, b) => a.frame - b.frame) };
-});
+export const setPin = (pin: Pin): Command =>
+  changeClip(({ pins = [], ...clip }) => {
+    const others = pins.filter(
+      (old) => old.id !== pin.id && !(old.point === pin.point && old.frame === pin.frame && old.kind === pin.kind),
+    );
+    return { ...clip, pins: [...others, pin].sort((a, b) => a.frame - b.frame) };
+  });
 
-export const removePin = (id: string): Command => changeClip((clip) =>
-  clip.pins?.some((pin) => pin.id === id) ? { ...clip, pins: clip.pins.filter((pin) => pin.id !== id) } : clip);
+export const removePin = (id: string): Command =>
+  changeClip((clip) => (clip.pins?.some((pin) => pin.id === id) ? { ...clip, pins: clip.pins.filter((pin) => pin.id !== id) } : clip));
 
 /** Says when a point stands; null: as in the motion. */
-export const setContacts = (point: string, runs: readonly (readonly [number, number])[] | null): Command => changeClip((clip) => {
-  const { [point]: old, ...others } = clip.contacts ?? {};
-  if (runs === null) return old === undefined ? clip : { ...clip, contacts: others };
-  return { ...clip, contacts: { ...others, [point]: merged(runs) } };
-});
+export const setContacts = (point: string, runs: readonly (readonly [number, number])[] | null): Command =>
+  changeClip((clip) => {
+    const { [point]: old, ...others } = clip.contacts ?? {};
+    if (runs === null) return old === undefined ? clip : { ...clip, contacts: others };
+    return { ...clip, contacts: { ...others, [point]: merged(runs) } };
+  });
 
 /** Says when the model flies; null: as in the motion. */
-export const setFlights = (flights: readonly (readonly [number, number])[] | null): Command => changeClip(({ flights: _, ...clip }) => (flights === null ? clip : { ...clip, flights: merged(flights) }));
+export const setFlights = (flights: readonly (readonly [number, number])[] | null): Command =>
+  changeClip(({ flights: _, ...clip }) => (flights === null ? clip : { ...clip, flights: merged(flights) }));
 
 /** Without what was said of a point, in every clip. */
 export function forgetPoint(clips: ProjectDocument["clips"], id: string): ProjectDocument["clips"] {
   if (!clips) return clips;
-  return Object.fromEntries(Object.entries(clips).map(([name, { pins, contacts, ...clip }]) => [name, {
-    ...clip,
-    ...(pins && { pins: pins.filter((pin) => pin.point !== id) }),
-    ...(contacts && { contacts: Object.fromEntries(Object.entries(contacts).filter(([point]) => point !== id)) }),
-  }]));
+  return Object.fromEntries(
+    Object.entries(clips).map(([name, { pins, contacts, ...clip }]) => [
+      name,
+      {
+        ...clip,
+        ...(pins && { pins: pins.filter((pin) => pin.point !== id) }),
+        ...(contacts && { contacts: Object.fromEntries(Object.entries(contacts).filter(([point]) => point !== id)) }),
+      },
+    ]),
+  );
 }
 
 /** In order; runs that touch or overlap are one. */

@@ -12,26 +12,42 @@ export function newDocument(name: string, mesh: MeshRef, motion: MotionRef): Pro
   return { version: 1, name, mesh, motion, points: [], examples: [], settings: DEFAULT_SETTINGS };
 }
 
-export const renameProject = (name: string): Command => (document) => change(document, { name });
+export const renameProject =
+  (name: string): Command =>
+  (document) =>
+    change(document, { name });
 
 /** Another model. Points and examples are places on the old one, so they go. */
-export const setMesh = (mesh: MeshRef): Command => ({ clips: _, ...document }) => ({ ...document, mesh, points: [], examples: [] });
+export const setMesh =
+  (mesh: MeshRef): Command =>
+  ({ clips: _, ...document }) => ({ ...document, mesh, points: [], examples: [] });
 
 /** Says how the same model stands. Points and examples are in the file's own axes, so they stay. */
-export const turnMesh = (facing: Axis, up: Axis): Command => (document) =>
-  change(document, { mesh: change(document.mesh, { facing, up }) });
+export const turnMesh =
+  (facing: Axis, up: Axis): Command =>
+  (document) =>
+    change(document, { mesh: change(document.mesh, { facing, up }) });
 
 /** Another motion. Examples stay: they know joints by name. */
-export const setMotion = (motion: MotionRef): Command => (document) => change(document, { motion });
+export const setMotion =
+  (motion: MotionRef): Command =>
+  (document) =>
+    change(document, { motion });
 
-export const setSettings = (settings: Partial<Settings>): Command => (document) =>
-  change(document, { settings: change(document.settings, settings) });
+export const setSettings =
+  (settings: Partial<Settings>): Command =>
+  (document) =>
+    change(document, { settings: change(document.settings, settings) });
 
-export const addPoint = (point: Point): Command => (document) =>
-  has(document.points, point.id) ? document : { ...document, points: [...document.points, point] };
+export const addPoint =
+  (point: Point): Command =>
+  (document) =>
+    has(document.points, point.id) ? document : { ...document, points: [...document.points, point] };
 
-export const addPoints = (points: readonly Point[]): Command => (document) =>
-  points.reduce((next, point) => addPoint(point)(next), document);
+export const addPoints =
+  (points: readonly Point[]): Command =>
+  (document) =>
+    points.reduce((next, point) => addPoint(point)(next), document);
 
 export const renamePoint = (id: string, name: string): Command => updatePoint(id, { name });
 
@@ -39,40 +55,54 @@ export const renamePoint = (id: string, name: string): Command => updatePoint(id
 export const pairPoint = (id: string, joint: string | null): Command => updatePoint(id, { joint });
 
 /** Takes a point away, from the examples, the clips and its partner too. */
-export const removePoint = (id: string): Command => (document) => {
-  if (!has(document.points, id)) return document;
-  const examples = document.examples.map((example) =>
-    Object.hasOwn(example.points, id)
-      ? { ...example, points: Object.fromEntries(Object.entries(example.points).filter(([key]) => key !== id)) }
-      : example);
-  const points = document.points.filter((point) => point.id !== id).map((point) => {
-    if (point.mirror !== id) return point;
-    const { mirror: _, ...alone } = point;
-    return alone;
-  });
-  const clips = forgetPoint(document.clips, id);
-  return { ...document, points, examples, ...(clips && { clips }) };
-};
+export const removePoint =
+  (id: string): Command =>
+  (document) => {
+    if (!has(document.points, id)) return document;
+    const examples = document.examples.map((example) =>
+      Object.hasOwn(example.points, id)
+        ? { ...example, points: Object.fromEntries(Object.entries(example.points).filter(([key]) => key !== id)) }
+        : example,
+    );
+    const points = document.points
+      .filter((point) => point.id !== id)
+      .map((point) => {
+        if (point.mirror !== id) return point;
+        const { mirror: _, ...alone } = point;
+        return alone;
+      });
+    const clips = forgetPoint(document.clips, id);
+    return { ...document, points, examples, ...(clips && { clips }) };
+  };
 
 /** Says that two points are each other's mirror image; one alone: it lies in the middle; null: it has no partner. */
-export const pairMirror = (id: string, partner: string | null): Command => (document) => {
-  const loose = document.points.map((point) => {
-    if (![point.id, point.mirror].some((one) => one !== undefined && (one === id || one === partner))) return point;
-    const { mirror: _, ...alone } = point;
-    return alone;
-  });
-  const with_ = (point: Point): string | null => (point.id === id ? partner : point.id === partner ? id : null);
-  return { ...document, points: loose.map((point) => {
-    const mirror = with_(point);
-    return mirror === null ? point : { ...point, mirror };
-  }) };
-};
+export const pairMirror =
+  (id: string, partner: string | null): Command =>
+  (document) => {
+    const loose = document.points.map((point) => {
+      if (![point.id, point.mirror].some((one) => one !== undefined && (one === id || one === partner))) return point;
+      const { mirror: _, ...alone } = point;
+      return alone;
+    });
+    const with_ = (point: Point): string | null => (point.id === id ? partner : point.id === partner ? id : null);
+    return {
+      ...document,
+      points: loose.map((point) => {
+        const mirror = with_(point);
+        return mirror === null ? point : { ...point, mirror };
+      }),
+    };
+  };
 
-export const addExample = (example: Example): Command => (document) =>
-  has(document.examples, example.id) ? document : { ...document, examples: [...document.examples, example] };
+export const addExample =
+  (example: Example): Command =>
+  (document) =>
+    has(document.examples, example.id) ? document : { ...document, examples: [...document.examples, example] };
 
-export const removeExample = (id: string): Command => (document) =>
-  has(document.examples, id) ? { ...document, examples: document.examples.filter((example) => example.id !== id) } : document;
+export const removeExample =
+  (id: string): Command =>
+  (document) =>
+    has(document.examples, id) ? { ...document, examples: document.examples.filter((example) => example.id !== id) } : document;
 
 /** "p4" for the prefix "p": an id that none of these has. */
 export function freeId(taken: readonly { readonly id: string }[], prefix: string): string {

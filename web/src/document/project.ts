@@ -24,7 +24,8 @@ export function parseProject(text: string, fileName: string): { document: Projec
   const version = typeof value === "object" && value !== null && "version" in value ? value.version : undefined;
   if (typeof version === "number" && version > VERSION) {
     throw new DocumentError(
-      `${fileName}: This project was saved by a newer Rigless (version ${version}). This one reads version ${VERSION}; reload the page or update to open it.`);
+      `${fileName}: This project was saved by a newer Rigless (version ${version}). This one reads version ${VERSION}; reload the page or update to open it.`,
+    );
   }
   const fault = findFault(value, schema, schema);
   if (fault) throw new DocumentError(`${fileName}: ${fault}`);
@@ -82,7 +83,10 @@ function brokenClip({ pins = [], contacts = {}, flights = [] }: Clip, points: Re
   }
   const stranger = Object.keys(contacts).find((id) => !points.has(id));
   if (stranger !== undefined) return `contacts names "${stranger}", but no point has this id.`;
-  const runs = [...Object.entries(contacts).flatMap(([id, list]) => list.map((run) => [`contacts.${id}`, run] as const)), ...flights.map((run) => ["flights", run] as const)];
+  const runs = [
+    ...Object.entries(contacts).flatMap(([id, list]) => list.map((run) => [`contacts.${id}`, run] as const)),
+    ...flights.map((run) => ["flights", run] as const),
+  ];
   const empty = runs.find(([, [a, b]]) => a >= b);
   return empty ? `${empty[0]} has a run from ${empty[1][0]} to ${empty[1][1]}, but it should end after it begins.` : null;
 }

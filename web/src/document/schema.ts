@@ -21,8 +21,23 @@ export interface Schema {
 
 /** Every keyword that this file interprets; a schema with another one would be checked by half. */
 export const KEYWORDS = [
-  "type", "const", "enum", "required", "properties", "additionalProperties", "items", "minItems", "maxItems",
-  "minLength", "minimum", "maximum", "default", "$ref", "$defs", "$schema", "title",
+  "type",
+  "const",
+  "enum",
+  "required",
+  "properties",
+  "additionalProperties",
+  "items",
+  "minItems",
+  "maxItems",
+  "minLength",
+  "minimum",
+  "maximum",
+  "default",
+  "$ref",
+  "$defs",
+  "$schema",
+  "title",
 ] as const;
 
 type Json = Readonly<Record<string, unknown>>;
@@ -41,10 +56,12 @@ export function withDefaults(value: unknown, schema: Schema, root: Schema): unkn
   const rule = resolve(schema, root);
   if (!isObject(value) || !rule.properties) return value;
   const known = Object.entries(rule.properties);
-  return Object.fromEntries(known.flatMap(([key, inner]) => {
-    const own = Object.hasOwn(value, key) ? value[key] : resolve(inner, root).default;
-    return own === undefined ? [] : [[key, withDefaults(own, inner, root)] as const];
-  }));
+  return Object.fromEntries(
+    known.flatMap(([key, inner]) => {
+      const own = Object.hasOwn(value, key) ? value[key] : resolve(inner, root).default;
+      return own === undefined ? [] : [[key, withDefaults(own, inner, root)] as const];
+    }),
+  );
 }
 
 function resolve(schema: Schema, root: Schema): Schema {
@@ -68,12 +85,18 @@ function fits(value: unknown, rule: Schema): boolean {
 
 function isOf(value: unknown, type: string): boolean {
   switch (type) {
-    case "null": return value === null;
-    case "array": return Array.isArray(value);
-    case "object": return isObject(value);
-    case "integer": return Number.isInteger(value);
-    case "number": return Number.isFinite(value);
-    default: return typeof value === type;
+    case "null":
+      return value === null;
+    case "array":
+      return Array.isArray(value);
+    case "object":
+      return isObject(value);
+    case "integer":
+      return Number.isInteger(value);
+    case "number":
+      return Number.isFinite(value);
+    default:
+      return typeof value === type;
   }
 }
 
@@ -118,7 +141,10 @@ const NUMBERS = ["no", "one", "two", "three", "four"];
 function wanted(rule: Schema, root: Schema): string {
   if ("const" in rule) return actual(rule.const);
   if (rule.enum) return `${rule.enum.slice(0, -1).join(", ")} or ${String(rule.enum.at(-1))}`;
-  return [rule.type ?? []].flat().map((type) => wantedType(type, rule, root)).join(" or ");
+  return [rule.type ?? []]
+    .flat()
+    .map((type) => wantedType(type, rule, root))
+    .join(" or ");
 }
 
 function wantedType(type: string, rule: Schema, root: Schema): string {

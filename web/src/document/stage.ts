@@ -55,11 +55,7 @@ export function stageOf(bounds: Bounds, facing: Axis, up: Axis): Stage {
   const extent = (k: number): number => Math.abs(a[k] - b[k]);
   const size = Math.max(extent(1), WIDTH_SHARE * Math.max(extent(0), extent(2)));
   const scale = size > 0 && Number.isFinite(size) ? STAGE_HEIGHT / size : 1;
-  const offset: Vec3 = [
-    (-scale * (a[0] + b[0])) / 2,
-    -scale * Math.min(a[1], b[1]),
-    (-scale * (a[2] + b[2])) / 2,
-  ];
+  const offset: Vec3 = [(-scale * (a[0] + b[0])) / 2, -scale * Math.min(a[1], b[1]), (-scale * (a[2] + b[2])) / 2];
   return { scale, rotation, offset };
 }
 
@@ -76,11 +72,7 @@ export function pointFromStage(stage: Stage, point: Vec3): Vec3 {
   const x = (point[0] - offset[0]) / scale;
   const y = (point[1] - offset[1]) / scale;
   const z = (point[2] - offset[2]) / scale;
-  return [
-    r[0] * x + r[3] * y + r[6] * z,
-    r[1] * x + r[4] * y + r[7] * z,
-    r[2] * x + r[5] * y + r[8] * z,
-  ];
+  return [r[0] * x + r[3] * y + r[6] * z, r[1] * x + r[4] * y + r[7] * z, r[2] * x + r[5] * y + r[8] * z];
 }
 
 /** N x 3 positions of the file, on the stage; a new array. */
@@ -111,9 +103,5 @@ function cross(a: Vec3, b: Vec3): Vec3 {
 }
 
 function rotate(r: readonly number[], [x, y, z]: Vec3): Vec3 {
-  return [
-    r[0] * x + r[1] * y + r[2] * z,
-    r[3] * x + r[4] * y + r[5] * z,
-    r[6] * x + r[7] * y + r[8] * z,
-  ];
+  return [r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z, r[6] * x + r[7] * y + r[8] * z];
 }

@@ -3,7 +3,17 @@
 import type { CallName, Calls, Reply, Request } from "./protocol";
 import { EngineError } from "./types";
 import type {
-  CallOptions, ControlInput, Engine, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput, Understanding,
+  CallOptions,
+  ControlInput,
+  Engine,
+  Frame,
+  MeshInput,
+  MeshReport,
+  Motion,
+  MotionInput,
+  Performance,
+  RetargetInput,
+  Understanding,
 } from "./types";
 
 /** A Worker, or what stands for one in Node. */
@@ -29,7 +39,11 @@ export class EngineClient implements Engine {
   #lost: EngineError | null = null;
 
   /** `wasm`: the bytes of rigless.wasm; taken over. `understandWasm` gets those of understand.wasm when they are needed. */
-  constructor(port: WorkerPort, wasm: ArrayBuffer | Promise<ArrayBuffer>, readonly understandWasm: () => Promise<ArrayBuffer>) {
+  constructor(
+    port: WorkerPort,
+    wasm: ArrayBuffer | Promise<ArrayBuffer>,
+    readonly understandWasm: () => Promise<ArrayBuffer>,
+  ) {
     this.#port = port;
     port.onmessage = (event) => this.#hear(event.data);
     port.onerror = (event) => this.#lose(`The engine stopped: ${event.message || "its worker could not run"}.`);
@@ -67,9 +81,7 @@ export class EngineClient implements Engine {
     return this.#call("retarget", input, options);
   }
 
-  frames(
-    order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions,
-  ): Promise<void> {
+  frames(order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions): Promise<void> {
     const hear = (frame: number, result: Frame) => {
       if (!options?.signal?.aborted) onFrame(frame, result);
     };
@@ -81,7 +93,10 @@ export class EngineClient implements Engine {
   }
 
   #call<K extends CallName>(
-    type: K, input: Calls[K]["input"], options?: CallOptions, onFrame?: Pending["onFrame"],
+    type: K,
+    input: Calls[K]["input"],
+    options?: CallOptions,
+    onFrame?: Pending["onFrame"],
   ): Promise<Calls[K]["output"]> {
     const signal = options?.signal;
     if (this.#lost) return Promise.reject(this.#lost);
@@ -89,12 +104,7 @@ export class EngineClient implements Engine {
     const id = ++this.#lastId;
     const cancel = () => this.#post({ type: "cancel", id });
     return new Promise<Calls[K]["output"]>((resolve, reject) => {
-      this.#pending.set(id, {
-        resolve: (value) => resolve(value as Calls[K]["output"]),
-        reject,
-        onProgress: options?.onProgress,
-        onFrame,
-      });
+      this.#pending.set(id, { resolve: (value) => resolve(value as Calls[K]["output"]), reject, onProgress: options?.onProgress, onFrame });
       signal?.addEventListener("abort", cancel, { once: true });
       this.#post({ type, id, input } as Request);
     }).finally(() => signal?.removeEventListener("abort", cancel));

@@ -6,7 +6,16 @@ import type { Subject } from "./messages";
 import type { DragInput } from "./protocol";
 import { EngineError } from "./types";
 import type {
-  ConstraintInput, ControlInput, Frame, Joint, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput,
+  ConstraintInput,
+  ControlInput,
+  Frame,
+  Joint,
+  MeshInput,
+  MeshReport,
+  Motion,
+  MotionInput,
+  Performance,
+  RetargetInput,
 } from "./types";
 import type { Handle, PackedStatus, RiglessExports } from "./wasm";
 
@@ -40,22 +49,33 @@ export class Core {
       throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
     }
     this.#lend([positions, faces], ([at = 0, facesAt = 0]) => {
-      this.#check(
-        this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
+      this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
     });
     this.#forgetBake();
     this.#controls = 0;
     this.#vertices = positions.length / 3;
     this.#wasm.body_report(this.#body, this.#out);
-    const [volume = NaN, boundaryEdges = 0, nonManifoldEdges = 0, shells = 0, isolatedVertices = 0,
-      degenerateFaces = 0, floor = 0, height = 0] = this.#doubles(8);
+    const [
+      volume = NaN,
+      boundaryEdges = 0,
+      nonManifoldEdges = 0,
+      shells = 0,
+      isolatedVertices = 0,
+      degenerateFaces = 0,
+      floor = 0,
+      height = 0,
+    ] = this.#doubles(8);
     this.#floor = floor;
     this.#height = height;
     return {
       vertices: this.#vertices,
       faces: faces.length / 3,
       volume: Number.isNaN(volume) ? null : volume,
-      boundaryEdges, nonManifoldEdges, shells, isolatedVertices, degenerateFaces,
+      boundaryEdges,
+      nonManifoldEdges,
+      shells,
+      isolatedVertices,
+      degenerateFaces,
     };
   }
 
@@ -92,8 +112,7 @@ export class Core {
     const begin = now();
     this.#needControls();
     this.#lend([targets], ([at = 0]) => {
-      this.#check(
-        this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(restart)), { kind: "controls" });
+      this.#check(this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(restart)), { kind: "controls" });
     });
     return {
       positions: this.#floats(this.#wasm.body_positions(this.#body), 3 * this.#vertices),
@@ -153,8 +172,7 @@ export class Core {
       throw new EngineError("bad_controls", "Every control of the model needs one entry in the pairs.");
     }
     if (examples.some((e) => e.joints.length !== 3 * joints || e.controls.length !== 3 * this.#controls)) {
-      throw new EngineError(
-        "bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
+      throw new EngineError("bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
     }
     this.#ask(performance, input);
     const exampleJoints = joined(examples.map((example) => example.joints));
@@ -162,10 +180,22 @@ export class Core {
     this.#lend([pairs, exampleJoints, exampleControls], ([pairsAt = 0, jointsAt = 0, controlsAt = 0]) => {
       this.#check(
         this.#wasm.performance_begin(
-          performance, this.#motion, pairsAt, this.#wasm.body_rest_controls(this.#body), this.#controls,
-          this.#floor, this.#height, jointsAt, controlsAt, examples.length,
-          input.smoothness, Number(input.groundContact), Number(input.inPlace)),
-        { kind: "retarget" });
+          performance,
+          this.#motion,
+          pairsAt,
+          this.#wasm.body_rest_controls(this.#body),
+          this.#controls,
+          this.#floor,
+          this.#height,
+          jointsAt,
+          controlsAt,
+          examples.length,
+          input.smoothness,
+          Number(input.groundContact),
+          Number(input.inPlace),
+        ),
+        { kind: "retarget" },
+      );
     });
   }
 
@@ -197,7 +227,8 @@ export class Core {
       this.#lend([Int32Array.from(flights.flat())], ([at = 0]) => wasm.performance_fly(performance, at, flights.length));
     }
     if (mirror) {
-      if (mirror.length !== this.#controls) throw new EngineError("bad_controls", "Every control of the model needs one partner in the mirror.");
+      if (mirror.length !== this.#controls)
+        throw new EngineError("bad_controls", "Every control of the model needs one partner in the mirror.");
       this.#lend([mirror], ([at = 0]) => wasm.performance_mirror(performance, at, mirror.length, ...(mirrorPlane?.normal ?? [1, 0, 0])));
     }
   }
@@ -209,8 +240,16 @@ export class Core {
     this.#forgetBake();
     this.#bake = wasm.bake_new();
     wasm.bake_begin(
-      this.#bake, this.#body, frames, wasm.performance_controls(performance), wasm.performance_yaw(performance),
-      wasm.performance_travel(performance), wasm.performance_flights(performance), flights, volume);
+      this.#bake,
+      this.#body,
+      frames,
+      wasm.performance_controls(performance),
+      wasm.performance_yaw(performance),
+      wasm.performance_travel(performance),
+      wasm.performance_flights(performance),
+      flights,
+      volume,
+    );
   }
 
   #describeMotion(motion: Handle, name: string): Motion {
@@ -226,7 +265,8 @@ export class Core {
       return { name: new TextDecoder().decode(bytes), parent };
     });
     return {
-      frames, joints,
+      frames,
+      joints,
       positions: this.#floats(wasm.motion_positions(motion), 3 * frames * count),
       local: this.#floats(wasm.motion_local(motion), 3 * frames * count),
       yaw: this.#floats(wasm.motion_yaw(motion), frames),
@@ -238,8 +278,8 @@ export class Core {
   #describePerformance(performance: Handle, constraints: ConstraintInput[], milliseconds: number): Performance {
     const wasm = this.#wasm;
     wasm.performance_info(performance, this.#out);
-    const [frames = 0, controls = 0, flightCount = 0, before = 0, after = 0, wishes = 0, asks = 0, have = 0, want = 0,
-      starters = 0] = this.#doubles(10);
+    const [frames = 0, controls = 0, flightCount = 0, before = 0, after = 0, wishes = 0, asks = 0, have = 0, want = 0, starters = 0] =
+      this.#doubles(10);
     const flightsAt = wasm.performance_flights(performance);
     const ends = new Int32Array(wasm.memory.buffer, flightsAt, 2 * flightCount).slice();
     const flights = Array.from({ length: flightCount }, (_, i): [number, number] => [ends[2 * i] ?? 0, ends[2 * i + 1] ?? 0]);

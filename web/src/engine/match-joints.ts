@@ -2,22 +2,37 @@
 
 /** What bones are called in Acclaim files, where a bone's joint is its far END. */
 const BONES: Record<string, string[]> = {
-  hip: ["hipjoint"], knee: ["femur"], ankle: ["tibia"], toe: ["foot"], tip: ["toes"],
-  collar: ["clavicle"], shoulder: ["clavicle"], elbow: ["humerus"], hand: ["hand", "wrist", "radius"],
+  hip: ["hipjoint"],
+  knee: ["femur"],
+  ankle: ["tibia"],
+  toe: ["foot"],
+  tip: ["toes"],
+  collar: ["clavicle"],
+  shoulder: ["clavicle"],
+  elbow: ["humerus"],
+  hand: ["hand", "wrist", "radius"],
 };
 
 /** What joints are called elsewhere, the most telling first. */
 const JOINTS: Record<string, string[]> = {
-  hip: ["upleg", "upperleg", "thigh", "hip", "hipjoint"], knee: ["knee", "lowleg", "lowerleg", "shin", "calf", "leg"],
-  ankle: ["ankle", "foot"], toe: ["toebase", "toe", "toes", "ball"], tip: ["toeend", "toebaseend", "toesend"],
-  collar: ["collar", "clavicle", "shoulder"], shoulder: ["upperarm", "uparm", "arm", "shoulder"],
-  elbow: ["elbow", "forearm", "lowerarm", "lowarm"], hand: ["wrist", "hand"],
+  hip: ["upleg", "upperleg", "thigh", "hip", "hipjoint"],
+  knee: ["knee", "lowleg", "lowerleg", "shin", "calf", "leg"],
+  ankle: ["ankle", "foot"],
+  toe: ["toebase", "toe", "toes", "ball"],
+  tip: ["toeend", "toebaseend", "toesend"],
+  collar: ["collar", "clavicle", "shoulder"],
+  shoulder: ["upperarm", "uparm", "arm", "shoulder"],
+  elbow: ["elbow", "forearm", "lowerarm", "lowarm"],
+  hand: ["wrist", "hand"],
 };
 
 /** On the middle line, in either. */
 const TRUNK: Record<string, string[]> = {
-  root: ["root", "hips", "pelvis", "hip"], spine: ["lowerback", "spine", "abdomen"],
-  chest: ["thorax", "chest", "upperchest", "spine", "upperback"], neck: ["lowerneck", "neck"], head: ["head"],
+  root: ["root", "hips", "pelvis", "hip"],
+  spine: ["lowerback", "spine", "abdomen"],
+  chest: ["thorax", "chest", "upperchest", "spine", "upperback"],
+  neck: ["lowerneck", "neck"],
+  head: ["head"],
 };
 
 const LIMB_WORDS = new Set([...Object.values(BONES), ...Object.values(JOINTS)].flat());
@@ -44,7 +59,9 @@ export const isSameJoint = (a: string, b: string): boolean => plainName(a) === p
 
 function byRole(name: string, from: readonly string[], names: readonly string[]): number {
   const { side, core } = partsOf(name);
-  const roles = Object.entries(side ? limbs(from) : TRUNK).filter(([, words]) => words.includes(core)).map(([role]) => role);
+  const roles = Object.entries(side ? limbs(from) : TRUNK)
+    .filter(([, words]) => words.includes(core))
+    .map(([role]) => role);
   const there = names.map(partsOf);
   for (const role of roles) {
     for (const word of (side ? limbs(names) : TRUNK)[role] ?? []) {
@@ -64,9 +81,13 @@ function limbs(names: readonly string[]): Record<string, string[]> {
 }
 
 function partsOf(name: string): Parts {
-  const words = name.slice(Math.max(name.lastIndexOf(":"), name.lastIndexOf("|")) + 1)
-    .replace(/([a-z])([A-Z])/g, "$1 $2").replace(/([A-Z])([A-Z][a-z])/g, "$1 $2")
-    .toLowerCase().split(/[^a-z]+/).filter((word) => word !== "" && word !== "bip");
+  const words = name
+    .slice(Math.max(name.lastIndexOf(":"), name.lastIndexOf("|")) + 1)
+    .replace(/([a-z])([A-Z])/g, "$1 $2")
+    .replace(/([A-Z])([A-Z][a-z])/g, "$1 $2")
+    .toLowerCase()
+    .split(/[^a-z]+/)
+    .filter((word) => word !== "" && word !== "bip");
   let side: Parts["side"] = "";
   const rest = words.filter((word) => {
     const found = /^(?:(l|left|lt)|(r|right|rt))$/.exec(word);
@@ -80,6 +101,9 @@ function partsOf(name: string): Parts {
 }
 
 function plainName(name: string): string {
-  const letters = name.slice(name.lastIndexOf(":") + 1).toLowerCase().replace(/[^a-z0-9]/g, "");
+  const letters = name
+    .slice(name.lastIndexOf(":") + 1)
+    .toLowerCase()
+    .replace(/[^a-z0-9]/g, "");
   return letters.replace(/^left/, "l").replace(/^right/, "r");
 }

@@ -8,10 +8,24 @@ import type { PackedStatus } from "./wasm";
 /** In the order of rigless::Error. */
 export const CORE_ERRORS = [
   "none",
-  "empty_input", "not_this_format", "unexpected_end", "bad_number", "bad_syntax", "unknown_joint", "duplicate_joint",
-  "unsupported", "no_frames",
-  "no_faces", "index_out_of_range", "not_finite",
-  "no_controls", "factorization_failed", "size_mismatch", "no_examples", "infeasible", "out_of_memory",
+  "empty_input",
+  "not_this_format",
+  "unexpected_end",
+  "bad_number",
+  "bad_syntax",
+  "unknown_joint",
+  "duplicate_joint",
+  "unsupported",
+  "no_frames",
+  "no_faces",
+  "index_out_of_range",
+  "not_finite",
+  "no_controls",
+  "factorization_failed",
+  "size_mismatch",
+  "no_examples",
+  "infeasible",
+  "out_of_memory",
 ] as const;
 
 export type CoreError = (typeof CORE_ERRORS)[number];
@@ -94,8 +108,7 @@ const UNITS = ["metres", "centimetres", "millimetres", "inches", "CMU units of 0
 
 /** What a reader worked around or guessed: the numbers of rigless::ParseNotes and rigless::FileGuess. */
 export function motionNotes(name: string, numbers: number[]): string[] {
-  const [declared = 0, read = 0, cut = 0, trailing = 0, rateAssumed = 0, roots = 1, renamed = 0, lengths = 0,
-    zUp = 0, unit = 0] = numbers;
+  const [declared = 0, read = 0, cut = 0, trailing = 0, rateAssumed = 0, roots = 1, renamed = 0, lengths = 0, zUp = 0, unit = 0] = numbers;
   const notes: string[] = [];
   if (declared > read) notes.push(`${name} announces ${count(declared)} frames and holds ${count(read)}: these are used.`);
   else if (cut) notes.push(`The last frame of ${name} is incomplete and left out: ${count(read)} frames are used.`);
@@ -103,7 +116,8 @@ export function motionNotes(name: string, numbers: number[]): string[] {
   if (rateAssumed) notes.push(`${name} does not say how fast it plays: 30 frames per second are assumed.`);
   if (roots > 1) notes.push(`${name} holds ${count(roots)} figures; the first is used.`);
   if (renamed > 0) notes.push(`${count(renamed)} ${renamed === 1 ? "joint has" : "joints have"} no name of its own and got a number.`);
-  if (lengths > 0) notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
+  if (lengths > 0)
+    notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
   if (zUp) notes.push(`In ${name} the Z axis points up; it was turned upright.`);
   if (unit >= UNITS.length) notes.push(`${name} is in no common unit; the person in it was made 1.7 m tall.`);
   else if (unit > 0) notes.push(`${name} seems to be in ${UNITS[unit]}.`);

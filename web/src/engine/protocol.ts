@@ -1,7 +1,16 @@
 // What crosses the port between the page and the engine's worker.
 
 import type {
-  ControlInput, EngineErrorCode, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput, Understanding,
+  ControlInput,
+  EngineErrorCode,
+  Frame,
+  MeshInput,
+  MeshReport,
+  Motion,
+  MotionInput,
+  Performance,
+  RetargetInput,
+  Understanding,
 } from "./types";
 
 export interface DragInput {
@@ -32,9 +41,7 @@ export type CallRequest = { [K in CallName]: { type: K; id: number; input: Calls
 
 export type Request =
   /** First of all: the bytes of rigless.wasm. */
-  | { type: "load"; bytes: ArrayBuffer }
-  | CallRequest
-  | { type: "cancel"; id: number };
+  { type: "load"; bytes: ArrayBuffer } | CallRequest | { type: "cancel"; id: number };
 
 export type Reply =
   | { type: "done"; id: number; value: unknown }

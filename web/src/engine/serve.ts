@@ -38,7 +38,10 @@ class Server {
   #running = false;
   #stopped = false;
 
-  constructor(readonly port: ServerPort, readonly turn: () => Promise<void>) {}
+  constructor(
+    readonly port: ServerPort,
+    readonly turn: () => Promise<void>,
+  ) {}
 
   hear(request: Request): void {
     if (this.#stopped) return;

@@ -178,11 +178,21 @@ export interface Frame {
 }
 
 export type EngineErrorCode =
-  | "bad_mesh" | "bad_motion" | "bad_controls" | "bad_examples" | "cancelled" | "superseded" | "engine_lost" | "out_of_memory";
+  | "bad_mesh"
+  | "bad_motion"
+  | "bad_controls"
+  | "bad_examples"
+  | "cancelled"
+  | "superseded"
+  | "engine_lost"
+  | "out_of_memory";
 
 /** Every promise of the engine rejects with this and nothing else. `message` is made to be shown. */
 export class EngineError extends Error {
-  constructor(readonly code: EngineErrorCode, message: string) {
+  constructor(
+    readonly code: EngineErrorCode,
+    message: string,
+  ) {
     super(message);
     this.name = "EngineError";
   }

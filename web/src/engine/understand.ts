@@ -44,7 +44,9 @@ function described(numbers: Float64Array): Understanding {
 
 function point([vertex = 0, role = 0, side = 0, partner = -1, radius = 0, wanted = 0]: Float64Array): BodyPoint {
   return {
-    vertex, partner, radius,
+    vertex,
+    partner,
+    radius,
     role: ROLES[role] ?? "tip",
     side: side === 0 ? null : side > 0 ? "left" : "right",
     wanted: wanted !== 0,

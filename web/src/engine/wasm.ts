@@ -26,8 +26,15 @@ export interface RiglessExports {
   bake_new(): Handle;
   bake_delete(bake: Handle): void;
   bake_begin(
-    bake: Handle, body: Handle, frames: number, controls: Pointer, yaw: Pointer, travel: Pointer,
-    flights: Pointer, flightCount: number, volume: number,
+    bake: Handle,
+    body: Handle,
+    frames: number,
+    controls: Pointer,
+    yaw: Pointer,
+    travel: Pointer,
+    flights: Pointer,
+    flightCount: number,
+    volume: number,
   ): void;
   bake_frame(bake: Handle, frame: number): PackedStatus;
   bake_positions(bake: Handle): Pointer;
@@ -49,17 +56,25 @@ export interface RiglessExports {
 
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
-  performance_place(
-    performance: Handle, control: number, frame: number, axes: number, x: number, y: number, z: number,
-  ): void;
+  performance_place(performance: Handle, control: number, frame: number, axes: number, x: number, y: number, z: number): void;
   performance_still(performance: Handle, control: number, frame: number): void;
   performance_stand(performance: Handle, control: number, begin: number, end: number): void;
   performance_fly(performance: Handle, flights: Pointer, count: number): void;
   performance_mirror(performance: Handle, partners: Pointer, controls: number, x: number, y: number, z: number): void;
   performance_begin(
-    performance: Handle, motion: Handle, pairs: Pointer, rest: Pointer, controls: number, floor: number, height: number,
-    exampleJoints: Pointer, exampleControls: Pointer, examples: number,
-    smoothness: number, groundContact: number, inPlace: number,
+    performance: Handle,
+    motion: Handle,
+    pairs: Pointer,
+    rest: Pointer,
+    controls: number,
+    floor: number,
+    height: number,
+    exampleJoints: Pointer,
+    exampleControls: Pointer,
+    examples: number,
+    smoothness: number,
+    groundContact: number,
+    inPlace: number,
   ): PackedStatus;
   performance_advance(performance: Handle): PackedStatus;
   performance_progress(performance: Handle): number;

@@ -21,7 +21,11 @@ export interface BakeOptions {
 
 /** Binds, retargets and deforms all T frames. Keeps V x 3 floats per frame. Rejects with EngineError. */
 export async function bake(
-  engine: Engine, document: ProjectDocument, model: SolverModel, motionInput: MotionInput, options: BakeOptions = {},
+  engine: Engine,
+  document: ProjectDocument,
+  model: SolverModel,
+  motionInput: MotionInput,
+  options: BakeOptions = {},
 ): Promise<Bake> {
   const call = (step: string): { signal?: AbortSignal; onProgress: (done: number) => void } => ({
     ...(options.signal && { signal: options.signal }),

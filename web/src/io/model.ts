@@ -194,7 +194,10 @@ class TupleTable {
   private readonly slots: Int32Array;
   private readonly tuples: Int32Array;
 
-  constructor(capacity: number, private readonly width: number) {
+  constructor(
+    capacity: number,
+    private readonly width: number,
+  ) {
     let slots = 16;
     while (slots < 2 * capacity) slots *= 2;
     this.slots = new Int32Array(slots).fill(-1);

@@ -39,10 +39,7 @@ export function decodeUri(uri: string): string {
 export function findFile(files: readonly NamedFile[], path: string, from = ""): NamedFile | undefined {
   const wanted = normalPath(folder(from) + path);
   const lower = baseName(wanted).toLowerCase();
-  return (
-    files.find((file) => normalPath(file.name) === wanted) ??
-    files.find((file) => baseName(file.name).toLowerCase() === lower)
-  );
+  return files.find((file) => normalPath(file.name) === wanted) ?? files.find((file) => baseName(file.name).toLowerCase() === lower);
 }
 
 function folder(path: string): string {

@@ -51,11 +51,15 @@ export function openProject(dropped: readonly NamedFile[]): OpenedProject {
   if (text === null) throw new DocumentError(`${name} is not text, so it is no project.`);
   const { document } = parseProject(text, name);
   const model = needed(files, document.mesh.file, project.name, name);
-  if (modelFormat(model) === null) throw new DocumentError(`${name} names ${document.mesh.file}, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).`);
+  if (modelFormat(model) === null)
+    throw new DocumentError(`${name} names ${document.mesh.file}, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).`);
   return {
     document,
     modelFiles: [model, ...files.filter((file) => file !== model)],
-    motion: motionOf(name, document.motion.files.map((path) => needed(files, path, project.name, name))),
+    motion: motionOf(
+      name,
+      document.motion.files.map((path) => needed(files, path, project.name, name)),
+    ),
   };
 }
 

@@ -1,7 +1,19 @@
 // GLB and glTF through glTF Transform: it needs no DOM and fetches nothing, so the page, its worker and Node read alike.
 // A skinned or morphed model is taken in its current pose.
 
-import { BufferUtils, type Document, type GLTF, type JSONDocument, Logger, type mat4, type Material, type Node, Primitive, type Texture, WebIO } from "@gltf-transform/core";
+import {
+  BufferUtils,
+  type Document,
+  type GLTF,
+  type JSONDocument,
+  Logger,
+  type mat4,
+  type Material,
+  type Node,
+  Primitive,
+  type Texture,
+  WebIO,
+} from "@gltf-transform/core";
 
 import { forgetFallbacks, hasMeshopt, unpackMeshopt } from "./meshopt";
 import { count, type Part, type Picture } from "./model";
@@ -12,7 +24,10 @@ const GLB_BIN = "@glb.bin";
 
 /** Errors (ModelError): not glTF 2.0; broken; compressed with Draco; a .bin that is missing; no triangles. */
 export async function readGltf(
-  name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
 ): Promise<{ parts: Part[]; texture: Picture | null }> {
   try {
     return await readSound(name, file, files, notes);
@@ -28,7 +43,10 @@ function broken(name: string): ModelError {
 }
 
 async function readSound(
-  name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
 ): Promise<{ parts: Part[]; texture: Picture | null }> {
   const source = splitGlb(name, file.bytes);
   const { json } = source;
@@ -50,10 +68,28 @@ async function readSound(
   const parts: Part[] = [];
   const found: Found = { pictures: new Set(), skinned: false, morphed: false };
   const visit = (node: Node): void => {
-    parts.push(...partsOf(node, found, (primitive) => pictureFrames[document.getRoot().listMaterials().indexOf(primitive.getMaterial() as Material)]));
+    parts.push(
+      ...partsOf(
+        node,
+        found,
+        (primitive) =>
+          pictureFrames[
+            document
+              .getRoot()
+              .listMaterials()
+              .indexOf(primitive.getMaterial() as Material)
+          ],
+      ),
+    );
     node.listChildren().forEach(visit);
   };
-  (scene ? scene.listChildren() : document.getRoot().listNodes().filter((node) => !node.getParentNode())).forEach(visit);
+  (scene
+    ? scene.listChildren()
+    : document
+        .getRoot()
+        .listNodes()
+        .filter((node) => !node.getParentNode())
+  ).forEach(visit);
   if (parts.length === 0) throw new ModelError(`${name} has no triangles. ${whatElse(document)}`.trim());
   if (found.skinned) notes.push("This file already has a skeleton. We use its current pose and leave the bones out.");
   if (found.morphed) notes.push("This file has shape keys. We use its current shape.");
@@ -181,7 +217,7 @@ function trianglesOf(primitive: Primitive, mirrored: boolean): number[] {
       for (let k = 0; k + 2 < n; k += 3) add(k, k + 1, k + 2);
       break;
     case Primitive.Mode.TRIANGLE_STRIP:
-      for (let k = 0; k + 2 < n; k++) (k % 2 ? add(k + 1, k, k + 2) : add(k, k + 1, k + 2));
+      for (let k = 0; k + 2 < n; k++) k % 2 ? add(k + 1, k, k + 2) : add(k, k + 1, k + 2);
       break;
     case Primitive.Mode.TRIANGLE_FAN:
       for (let k = 1; k + 1 < n; k++) add(0, k, k + 1);

@@ -23,7 +23,11 @@ export function readModelInWorker(files: readonly NamedFile[], { signal }: { sig
     };
     const lost = (): void => {
       end();
-      reject(new ModelError(`${baseName(files[0]?.name ?? "The model")} could not be read: its reader stopped. It may be too large for this browser.`));
+      reject(
+        new ModelError(
+          `${baseName(files[0]?.name ?? "The model")} could not be read: its reader stopped. It may be too large for this browser.`,
+        ),
+      );
     };
     signal?.addEventListener("abort", abort);
     worker.onerror = lost;

@@ -32,7 +32,10 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
 
 /** Loads the readers one by one as they are needed, so that the page's first load carries only the one of its own model. */
 async function readParts(
-  name: string, file: NamedFile, files: readonly NamedFile[], notes: string[],
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
 ): Promise<{ parts: Part[]; texture: Picture | null }> {
   const format = modelFormat(file);
   switch (format) {

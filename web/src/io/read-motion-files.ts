@@ -37,7 +37,9 @@ export function findMotions(files: readonly NamedFile[]): FoundMotions {
     if (!format) return [];
     const text = decodeText(file.bytes);
     if (text !== null && text.trim() !== "") return [{ file, format, text }];
-    problems.push(`${baseName(file.name)} ${text === null ? "is not text, so it is no" : "is empty, so it is no"} ${format.toUpperCase()} file.`);
+    problems.push(
+      `${baseName(file.name)} ${text === null ? "is not text, so it is no" : "is empty, so it is no"} ${format.toUpperCase()} file.`,
+    );
     return [];
   });
   const skeletons = texts.filter(({ format }) => format === "asf");

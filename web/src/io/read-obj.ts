@@ -1,7 +1,7 @@
 // OBJ by three's OBJLoader. The loader leaves out what it cannot read without a word, and a line element turns the faces of
 // its object into lines, so the text is looked through first: errors name the line, and only what makes faces goes on.
 
-import { type Material, Mesh, MeshPhongMaterial } from "three";
+import { type Material, Mesh, type MeshPhongMaterial } from "three";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 
 import { linear } from "./color";
@@ -11,7 +11,11 @@ import { pictureOf } from "./picture";
 
 /** Errors (ModelError) name the line: a coordinate that is no number, a face index without its vertex. */
 export function readObj(
-  name: string, path: string, text: string, files: readonly NamedFile[], notes: string[],
+  name: string,
+  path: string,
+  text: string,
+  files: readonly NamedFile[],
+  notes: string[],
 ): { parts: Part[]; texture: Picture | null } {
   const lookedThrough = lookThrough(name, text);
   if (lookedThrough.loose > 0) notes.push(`Left out ${count(lookedThrough.loose, "loose point")} that no face uses.`);
@@ -88,7 +92,10 @@ function lookThrough(name: string, text: string): LookedThrough {
         const v = i < 0 ? used.length + i : i - 1;
         if (!Number.isInteger(i) || i === 0) throw error(first, `"${row[k].slice(0, 20)}" names no vertex`);
         if (v < 0 || v >= used.length) {
-          throw error(first, `a face names vertex ${i}, but there ${used.length === 1 ? "is" : "are"} ${count(used.length, "vertex", "vertices")} above it`);
+          throw error(
+            first,
+            `a face names vertex ${i}, but there ${used.length === 1 ? "is" : "are"} ${count(used.length, "vertex", "vertices")} above it`,
+          );
         }
         used[v] = true;
       }

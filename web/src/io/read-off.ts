@@ -60,7 +60,10 @@ class Lines {
   private readonly lines: string[];
   private at = 0;
 
-  constructor(private readonly name: string, text: string) {
+  constructor(
+    private readonly name: string,
+    text: string,
+  ) {
     this.lines = text.split(/\r\n|\r|\n/);
   }
 

@@ -30,8 +30,22 @@ type Next = (type: Scalar) => number;
 
 const SIZE: Record<Scalar, number> = { int8: 1, uint8: 1, int16: 2, uint16: 2, int32: 4, uint32: 4, float32: 4, float64: 8 };
 const TYPES: Record<string, Scalar | undefined> = {
-  char: "int8", uchar: "uint8", short: "int16", ushort: "uint16", int: "int32", uint: "uint32", float: "float32", double: "float64",
-  int8: "int8", uint8: "uint8", int16: "int16", uint16: "uint16", int32: "int32", uint32: "uint32", float32: "float32", float64: "float64",
+  char: "int8",
+  uchar: "uint8",
+  short: "int16",
+  ushort: "uint16",
+  int: "int32",
+  uint: "uint32",
+  float: "float32",
+  double: "float64",
+  int8: "int8",
+  uint8: "uint8",
+  int16: "int16",
+  uint16: "uint16",
+  int32: "int32",
+  uint32: "uint32",
+  float32: "float32",
+  float64: "float64",
 };
 
 /** Polygons become fans. Errors (ModelError): a header that makes no sense; a file that ends early; a vertex that is not there. */
@@ -93,7 +107,9 @@ function readHeader(name: string, bytes: Uint8Array): Header {
   if (!["ascii", "binary_little_endian", "binary_big_endian"].includes(header.format)) {
     throw new ModelError(`${name} is a PLY of an unknown format "${header.format}".`);
   }
-  const wrong = header.elements.find((e) => !(Number.isInteger(e.count) && e.count >= 0 && (e.properties.length === 0 || e.count <= bytes.length)));
+  const wrong = header.elements.find(
+    (e) => !(Number.isInteger(e.count) && e.count >= 0 && (e.properties.length === 0 || e.count <= bytes.length)),
+  );
   if (wrong) throw new ModelError(`${name} promises ${wrong.count} of "${wrong.name}", which cannot be.`);
   header.elements = header.elements.filter((e) => e.properties.length > 0);
   return header;
@@ -144,14 +160,22 @@ function binaryValues(name: string, body: Uint8Array, little: boolean): Next {
     at += SIZE[type];
     if (at > view.byteLength) throw new ModelError(`${name} ends before its last row.`);
     switch (type) {
-      case "int8": return view.getInt8(here);
-      case "uint8": return view.getUint8(here);
-      case "int16": return view.getInt16(here, little);
-      case "uint16": return view.getUint16(here, little);
-      case "int32": return view.getInt32(here, little);
-      case "uint32": return view.getUint32(here, little);
-      case "float32": return view.getFloat32(here, little);
-      case "float64": return view.getFloat64(here, little);
+      case "int8":
+        return view.getInt8(here);
+      case "uint8":
+        return view.getUint8(here);
+      case "int16":
+        return view.getInt16(here, little);
+      case "uint16":
+        return view.getUint16(here, little);
+      case "int32":
+        return view.getInt32(here, little);
+      case "uint32":
+        return view.getUint32(here, little);
+      case "float32":
+        return view.getFloat32(here, little);
+      case "float64":
+        return view.getFloat64(here, little);
     }
   };
 }

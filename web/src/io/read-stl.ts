@@ -9,12 +9,14 @@ import { ModelError } from "./named-file";
 export function readStl(name: string, bytes: Uint8Array): Part[] {
   const { position, color } = new STLLoader().parse(isText(bytes) ? checkedText(name, bytes) : checkedBinary(name, bytes)).attributes;
   if (position.count % 3 !== 0) throw new ModelError(`${name} has a triangle without three corners.`);
-  return [{
-    positions: position.array,
-    index: Uint32Array.from({ length: position.count }, (_, i) => i),
-    colors: color ? color.array : null,
-    uvs: null,
-  }];
+  return [
+    {
+      positions: position.array,
+      index: Uint32Array.from({ length: position.count }, (_, i) => i),
+      colors: color ? color.array : null,
+      uvs: null,
+    },
+  ];
 }
 
 /** A binary STL may begin with "solid" too. */

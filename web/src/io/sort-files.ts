@@ -30,7 +30,9 @@ export function sortFiles(dropped: readonly NamedFile[]): SortedFiles {
     const kind = extension(file.name);
     if (models.includes(file) || isMotion(file) || kind === "json") continue;
     if (!BESIDE_MODELS.includes(kind)) {
-      problems.push(`${baseName(file.name)} is nothing that Rigless opens. Models: OBJ, PLY, STL, GLB, glTF, OFF. Motions: BVH, ASF with AMC.`);
+      problems.push(
+        `${baseName(file.name)} is nothing that Rigless opens. Models: OBJ, PLY, STL, GLB, glTF, OFF. Motions: BVH, ASF with AMC.`,
+      );
     } else if (models.length === 0 && projects.length === 0) {
       problems.push(`${baseName(file.name)} belongs to a model: drop both together.`);
     }

@@ -20,7 +20,9 @@ export function weld(corners: Float32Array, diagonal: number): Welded {
   const table = new CellTable(count);
   let vertices = 0;
   for (let i = 0; i < count; i++) {
-    const x = corners[3 * i], y = corners[3 * i + 1], z = corners[3 * i + 2];
+    const x = corners[3 * i],
+      y = corners[3 * i + 1],
+      z = corners[3 * i + 2];
     let found = -1;
     // The neighbourhood of a corner touches one cell, rarely two, at most eight.
     const x1 = Math.floor((x + tolerance) * perCell);
@@ -29,10 +31,15 @@ export function weld(corners: Float32Array, diagonal: number): Welded {
     for (let a = Math.floor((x - tolerance) * perCell); a <= x1 && found < 0; a++) {
       for (let b = Math.floor((y - tolerance) * perCell); b <= y1 && found < 0; b++) {
         for (let c = Math.floor((z - tolerance) * perCell); c <= z1 && found < 0; c++) {
-          found = table.find(a, b, c, (v) =>
-            Math.abs(positions[3 * v] - x) <= tolerance &&
-            Math.abs(positions[3 * v + 1] - y) <= tolerance &&
-            Math.abs(positions[3 * v + 2] - z) <= tolerance);
+          found = table.find(
+            a,
+            b,
+            c,
+            (v) =>
+              Math.abs(positions[3 * v] - x) <= tolerance &&
+              Math.abs(positions[3 * v + 1] - y) <= tolerance &&
+              Math.abs(positions[3 * v + 2] - z) <= tolerance,
+          );
         }
       }
     }

@@ -55,9 +55,16 @@ export async function writeGlb(input: GlbInput): Promise<Uint8Array<ArrayBuffer>
   document.getRoot().setDefaultScene(scene);
   document.getRoot().getAsset().generator = "Rigless";
   if (kept.length > 0) {
-    const sampler = document.createAnimationSampler()
+    const sampler = document
+      .createAnimationSampler()
       .setInterpolation("LINEAR")
-      .setInput(scalars(document, buffer, Float32Array.from(kept, (f) => f / FPS)))
+      .setInput(
+        scalars(
+          document,
+          buffer,
+          Float32Array.from(kept, (f) => f / FPS),
+        ),
+      )
       .setOutput(scalars(document, buffer, identity(kept.length)));
     const channel = document.createAnimationChannel().setTargetNode(node).setTargetPath("weights").setSampler(sampler);
     document.createAnimation(name).addSampler(sampler).addChannel(channel);
@@ -68,11 +75,16 @@ export async function writeGlb(input: GlbInput): Promise<Uint8Array<ArrayBuffer>
 function addMesh(document: Document, buffer: Buffer, name: string, input: GlbInput, kept: readonly number[]): Mesh {
   const { drawn, faces, frames, scale } = input;
   const vec = (array: Float32Array, type: "VEC2" | "VEC3" = "VEC3"): Accessor =>
-    document.createAccessor().setType(type).setArray(array as Float32Array<ArrayBuffer>).setBuffer(buffer);
+    document
+      .createAccessor()
+      .setType(type)
+      .setArray(array as Float32Array<ArrayBuffer>)
+      .setBuffer(buffer);
   const rest = onDrawn(drawn, input.rest, scale);
   const restNormals = onDrawn(drawn, vertexNormals(input.rest, faces), 1);
   const index = drawn.toVertex.length < 65535 ? Uint16Array.from(drawn.index) : drawn.index.slice();
-  const primitive = document.createPrimitive()
+  const primitive = document
+    .createPrimitive()
     .setIndices(document.createAccessor().setType("SCALAR").setArray(index).setBuffer(buffer))
     .setAttribute("POSITION", vec(rest))
     .setAttribute("NORMAL", vec(restNormals))
@@ -81,11 +93,15 @@ function addMesh(document: Document, buffer: Buffer, name: string, input: GlbInp
   if (drawn.uvs) primitive.setAttribute("TEXCOORD_0", vec(drawn.uvs.slice(), "VEC2"));
   for (const f of kept) {
     const { positions } = frames[f];
-    primitive.addTarget(document.createPrimitiveTarget(`frame_${f}`)
-      .setAttribute("POSITION", vec(difference(onDrawn(drawn, positions, scale), rest)))
-      .setAttribute("NORMAL", vec(difference(onDrawn(drawn, vertexNormals(positions, faces), 1), restNormals))));
+    primitive.addTarget(
+      document
+        .createPrimitiveTarget(`frame_${f}`)
+        .setAttribute("POSITION", vec(difference(onDrawn(drawn, positions, scale), rest)))
+        .setAttribute("NORMAL", vec(difference(onDrawn(drawn, vertexNormals(positions, faces), 1), restNormals))),
+    );
   }
-  return document.createMesh(name)
+  return document
+    .createMesh(name)
     .addPrimitive(primitive)
     .setWeights(kept.map(() => 0))
     .setExtras({ targetNames: kept.map((f) => `frame_${f}`) });

@@ -30,7 +30,9 @@ export function unzip(file: NamedFile): NamedFile[] {
         bytes += entry.originalSize;
         entries += 1;
         if (bytes > MOST_BYTES || entries > MOST_FILES) {
-          throw new DocumentError(`${name} would unpack to more than ${bytes > MOST_BYTES ? "512 MB" : "1,000 files"}. We did not open it.`);
+          throw new DocumentError(
+            `${name} would unpack to more than ${bytes > MOST_BYTES ? "512 MB" : "1,000 files"}. We did not open it.`,
+          );
         }
         return true;
       },

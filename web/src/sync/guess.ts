@@ -40,12 +40,21 @@ export function guessPoints(model: SolverModel, { up, facing, points }: Understa
     };
   });
   const order = points.map((_, n) => n).sort((a, b) => rank(points[a]) - rank(points[b]));
-  return { mesh, points: order.filter((n) => points[n].wanted).map((n) => all[n]), more: order.filter((n) => !points[n].wanted).map((n) => all[n]) };
+  return {
+    mesh,
+    points: order.filter((n) => points[n].wanted).map((n) => all[n]),
+    more: order.filter((n) => !points[n].wanted).map((n) => all[n]),
+  };
 }
 
 /** A project of a model and a motion alone; `file` and `motion` as a document names them. */
 export function guessProject(
-  name: string, file: string, motion: readonly string[], model: SolverModel, said: Understanding, joints: readonly Joint[],
+  name: string,
+  file: string,
+  motion: readonly string[],
+  model: SolverModel,
+  said: Understanding,
+  joints: readonly Joint[],
 ): ProjectDocument {
   const { mesh, points } = guessPoints(model, said, joints);
   return addPoints(points)(newDocument(name, { file, ...mesh }, { files: motion }));

@@ -57,7 +57,9 @@ export function restControls(model: SolverModel, document: Pick<ProjectDocument,
 
 /** C x 3, stage: an example's points; one that it does not name rests. */
 export function exampleControls(
-  model: SolverModel, document: Pick<ProjectDocument, "mesh" | "points">, example: Pick<Example, "points">,
+  model: SolverModel,
+  document: Pick<ProjectDocument, "mesh" | "points">,
+  example: Pick<Example, "points">,
 ): Float32Array {
   const stage = stageFor(model, document.mesh);
   const out = restControls(model, document);
@@ -70,7 +72,9 @@ export function exampleControls(
 
 /** Where C x 3 stage controls stand in the file, by point: what an example holds. */
 export function pointsOfControls(
-  model: SolverModel, document: Pick<ProjectDocument, "mesh" | "points">, controls: ArrayLike<number>,
+  model: SolverModel,
+  document: Pick<ProjectDocument, "mesh" | "points">,
+  controls: ArrayLike<number>,
 ): Record<string, Vec3> {
   const places = fromStage(stageFor(model, document.mesh), controls);
   return Object.fromEntries(document.points.map(({ id }, c) => [id, [places[3 * c], places[3 * c + 1], places[3 * c + 2]] as const]));
@@ -86,11 +90,13 @@ export function retargetInput(model: SolverModel, document: ProjectDocument, mot
   const clip = clipOf(document);
   return {
     pairs: pointJoints(document, motion),
-    examples: document.examples.filter((example) => knows(example, motion)).map((example) => ({
-      joints: exampleJoints(example, motion),
-      controls: exampleControls(model, document, example),
-    })),
-    smoothness, volume, groundContact, inPlace,
+    examples: document.examples
+      .filter((example) => knows(example, motion))
+      .map((example) => ({ joints: exampleJoints(example, motion), controls: exampleControls(model, document, example) })),
+    smoothness,
+    volume,
+    groundContact,
+    inPlace,
     constraints: pinsWithin(clip, motion.frames).map((pin) => constraintOf(model, document, pin)),
     contacts: contactInputs(document, clip, motion.frames),
     flights: clip.flights ? within(clip.flights, motion.frames - 1) : null,
@@ -139,9 +145,11 @@ export function pairingNotes(document: ProjectDocument, motion: Pick<Motion, "jo
   const name = document.motion.files.at(-1) ?? "This motion";
   return [
     ...document.points.flatMap(({ name: point, joint }) =>
-      joint === null ? [] : pairingNote(name, point, joint, motion.joints[find(joint, jointsSaid(document))]?.name)),
+      joint === null ? [] : pairingNote(name, point, joint, motion.joints[find(joint, jointsSaid(document))]?.name),
+    ),
     ...document.examples.flatMap((example, n) =>
-      knows(example, motion) ? [] : [`Pose ${n + 1} was made on another skeleton, and ${name} has none of its joints: it is left out.`]),
+      knows(example, motion) ? [] : [`Pose ${n + 1} was made on another skeleton, and ${name} has none of its joints: it is left out.`],
+    ),
   ];
 }
 
@@ -161,7 +169,10 @@ function exampleJoints(example: Example, motion: Pick<Motion, "joints">): Float3
   const find = jointFinder(names);
   const out = new Float32Array(3 * motion.joints.length).fill(NaN);
   motion.joints.forEach((joint, j) => {
-    const n = find(joint.name, motion.joints.map(({ name }) => name));
+    const n = find(
+      joint.name,
+      motion.joints.map(({ name }) => name),
+    );
     if (n >= 0) out.set(example.joints[names[n]], 3 * j);
   });
   return out;

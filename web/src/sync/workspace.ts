@@ -101,7 +101,10 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       await this.recovering(() => this.bind(candidate, signal, onProgress));
       return { report: this.boundReport, motion: this.boundMotion };
     });
-    this.chain = result.then(() => undefined, () => void this.sync());
+    this.chain = result.then(
+      () => undefined,
+      () => void this.sync(),
+    );
     return result;
   }
 

@@ -107,7 +107,8 @@ export class App extends LitElement {
     this.session.start(this.host);
     globalThis.rigless = debugHandle(this.session);
     for (const topic of ["verb", "help", "jobs", "pins", "teaching"] as const) this.session.on(topic, () => this.loadLate());
-    for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "pins", "teaching", "stage"] as const) this.session.on(topic, () => this.reframe());
+    for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "pins", "teaching", "stage"] as const)
+      this.session.on(topic, () => this.reframe());
     this.session.on("verb", () => {
       this.sheetOpen = true;
       this.requestUpdate();
@@ -142,11 +143,13 @@ export class App extends LitElement {
         <rigless-transport .session=${session}></rigless-transport>
         <rigless-timeline .session=${session}></rigless-timeline>
       </section>
-      ${this.phone
-        ? html`<div class="sheet">
+      ${
+        this.phone
+          ? html`<div class="sheet">
             <button class="handle" aria-label=${this.sheetOpen ? "Fold the sheet" : "Unfold the sheet"} aria-expanded=${this.sheetOpen} @click=${() => (this.sheetOpen = !this.sheetOpen)}></button>
             ${this.sheetOpen ? (session.verb ? panel : inspector) : ""}</div>${rail}`
-        : html`<div class="left">${rail}${panel}</div>${inspector}`}
+          : html`<div class="left">${rail}${panel}</div>${inspector}`
+      }
       ${this.dropping ? html`<rigless-drop></rigless-drop>` : ""}
       <rigless-help .session=${session}></rigless-help>
     `;
@@ -207,7 +210,9 @@ export class App extends LitElement {
     const right = desk ? Math.min(job?.left ?? stage.right, card("rigless-inspector")?.left ?? stage.right) : stage.right;
     const words = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(hello.line)?.bottom ?? 0);
     const top = Math.min(words, stage.top + MOST_WORDS * stage.height);
-    const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(hello.chips)].map((rect) => rect?.top ?? stage.bottom);
+    const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(hello.chips)].map(
+      (rect) => rect?.top ?? stage.bottom,
+    );
     this.session.setInsets({
       left: Math.max(0, left - stage.left),
       top: top - stage.top,

@@ -26,13 +26,27 @@ declare global {
 export function debugHandle(session: Session): DebugHandle {
   const { workspace, player } = session;
   return {
-    get document() { return session.document; },
-    get performance() { return workspace.performance; },
-    get frame() { return player.frame; },
-    get frames() { return player.frames; },
-    get playing() { return player.playing; },
-    get solving() { return session.solving; },
-    get stale() { return workspace.cache.staleCount; },
+    get document() {
+      return session.document;
+    },
+    get performance() {
+      return workspace.performance;
+    },
+    get frame() {
+      return player.frame;
+    },
+    get frames() {
+      return player.frames;
+    },
+    get playing() {
+      return player.playing;
+    },
+    get solving() {
+      return session.solving;
+    },
+    get stale() {
+      return workspace.cache.staleCount;
+    },
     vertices: (frame) => workspace.cache.at(frame)?.positions.slice() ?? null,
     human: (frame) => {
       const { motion } = workspace;

@@ -13,7 +13,11 @@ export function seconds(value: number): string {
 
 /** "27 cm up, 31 cm right": a move in stage metres, largest parts only. */
 export function move(delta: readonly [number, number, number]): string {
-  const names = [["right", "left"], ["up", "down"], ["forward", "back"]] as const;
+  const names = [
+    ["right", "left"],
+    ["up", "down"],
+    ["forward", "back"],
+  ] as const;
   const parts = delta
     .map((metres, axis) => ({ cm: Math.round(Math.abs(metres) * 100), word: names[axis]![metres >= 0 ? 0 : 1] }))
     .filter((part) => part.cm > 0);
@@ -35,7 +39,11 @@ export function stem(path: string): string {
 
 /** "left_hand", "LeftHand", "lhand" are for files; people read "Left hand". */
 export function jointName(name: string): string {
-  const spaced = name.replace(/[_.:-]+/g, " ").replace(/([a-z])([A-Z])/g, "$1 $2").trim().toLowerCase();
+  const spaced = name
+    .replace(/[_.:-]+/g, " ")
+    .replace(/([a-z])([A-Z])/g, "$1 $2")
+    .trim()
+    .toLowerCase();
   return spaced.charAt(0).toUpperCase() + spaced.slice(1);
 }
 

@@ -34,7 +34,11 @@ export class CameraRig {
   private readonly scratch = new Vector3();
   private readonly spherical = new Spherical();
 
-  constructor(element: HTMLElement, private readonly still: boolean, onInput: () => void) {
+  constructor(
+    element: HTMLElement,
+    private readonly still: boolean,
+    onInput: () => void,
+  ) {
     const controls = new CameraControls(this.camera, element);
     const { ACTION } = CameraControls;
     controls.mouseButtons = { left: ACTION.ROTATE, middle: ACTION.TRUCK, right: ACTION.TRUCK, wheel: ACTION.DOLLY };

@@ -8,7 +8,10 @@ import type { ViewportEvents } from "./types";
 const STEP = 0.01;
 const FINE_STEP = 0.002;
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
 };
 
 export class DotHand {
@@ -22,7 +25,11 @@ export class DotHand {
   private readonly scene = new Vector3();
 
   /** `offset`: from the model's world to the drawn scene. */
-  constructor(private readonly events: Emitter<ViewportEvents>, private readonly rig: CameraRig, private readonly offset: Vector3) {}
+  constructor(
+    private readonly events: Emitter<ViewportEvents>,
+    private readonly rig: CameraRig,
+    private readonly offset: Vector3,
+  ) {}
 
   grab(id: string, at: Vector3): void {
     if (this.holding) this.letGo(false);

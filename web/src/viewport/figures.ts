@@ -22,7 +22,10 @@ export class Figures {
   private viewSize: [number, number] = [1, 1];
   private rays: typeof SurfacePicker | null = null;
 
-  constructor(private readonly stage: Stage, private theme: Theme) {}
+  constructor(
+    private readonly stage: Stage,
+    private theme: Theme,
+  ) {}
 
   setModel(model: DrawnModel | null): void {
     const { model: lane } = this.stage;
@@ -157,7 +160,10 @@ function modelWidth(rest: Float32Array): number {
 
 /** Finds where a model is and darkens the ground under its lowest vertices. */
 function standOn(lane: Stage["model"], vertices: Float32Array): void {
-  const { shadow, traveller: { ground } } = lane;
+  const {
+    shadow,
+    traveller: { ground },
+  } = lane;
   const count = vertices.length / 3;
   let x = 0;
   let z = 0;

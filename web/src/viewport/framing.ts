@@ -60,11 +60,7 @@ export function frame(view: View, content: Content): Framing {
   const distance = Math.max(NEAREST, tall, broad);
   const feetDepth = distance + TARGET_HEIGHT * Math.sin(ELEVATION);
   const feetBelow = TARGET_HEIGHT * Math.cos(ELEVATION) * pixelsPerMetre(view.height, feetDepth);
-  return {
-    distance,
-    shiftX: free.x + free.width / 2 - view.width / 2,
-    shiftY: free.y + FEET * free.height - feetBelow - view.height / 2,
-  };
+  return { distance, shiftX: free.x + free.width / 2 - view.width / 2, shiftY: free.y + FEET * free.height - feetBelow - view.height / 2 };
 }
 
 /** The box as it is seen by a camera that turned around it by some radians. */

@@ -1,7 +1,17 @@
 // A flat blue pencil shape behind the figures, drawn only where none of them is, with a dashed edge.
 
 import {
-  BackSide, Color, DoubleSide, Group, type Material, Mesh, MeshBasicMaterial, NotEqualStencilFunc, ReplaceStencilOp, ShaderMaterial, Vector2,
+  BackSide,
+  Color,
+  DoubleSide,
+  Group,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
+  ShaderMaterial,
+  Vector2,
 } from "three";
 import type { Shape } from "./shape";
 import type { Theme } from "./theme";

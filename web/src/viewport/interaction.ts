@@ -123,15 +123,19 @@ export class Interaction {
     const { signal } = this.abort;
     const { overlay } = this.marks;
     const owner = (event: Event): DotMark | null => overlay.owner(event.target);
-    overlay.element.addEventListener("keydown", (event) => {
-      const mark = owner(event);
-      if (!mark || mark.on !== "model" || this.marks.mode !== "pose") return;
-      if (!this.hand.keyDown(event, mark.id, this.marks.dotPosition(mark.dot, this.place))) return;
-      event.preventDefault();
-      event.stopPropagation();
-      overlay.setHeld(this.hand.holding ? mark.id : null);
-      this.refresh();
-    }, { signal });
+    overlay.element.addEventListener(
+      "keydown",
+      (event) => {
+        const mark = owner(event);
+        if (!mark || mark.on !== "model" || this.marks.mode !== "pose") return;
+        if (!this.hand.keyDown(event, mark.id, this.marks.dotPosition(mark.dot, this.place))) return;
+        event.preventDefault();
+        event.stopPropagation();
+        overlay.setHeld(this.hand.holding ? mark.id : null);
+        this.refresh();
+      },
+      { signal },
+    );
     const end = (stop: () => void): void => {
       stop();
       if (!this.hand.holding) overlay.setHeld(null);
@@ -141,9 +145,13 @@ export class Interaction {
     overlay.element.addEventListener("focusout", () => end(() => this.hand.endKeys()), { signal });
     overlay.element.addEventListener("focusin", () => this.refresh(), { signal });
     // Enter, Space and assistive technology; a pointer's click comes through the pointer.
-    overlay.element.addEventListener("click", (event) => {
-      const mark = owner(event);
-      if (mark && event.detail === 0) this.events.emit("dot-pick", { id: mark.id, on: mark.on });
-    }, { signal });
+    overlay.element.addEventListener(
+      "click",
+      (event) => {
+        const mark = owner(event);
+        if (mark && event.detail === 0) this.events.emit("dot-pick", { id: mark.id, on: mark.on });
+      },
+      { signal },
+    );
   }
 }

@@ -10,14 +10,38 @@ export interface JointName {
 
 /** An Acclaim bone's joint is its far end, so "femur" is the knee. */
 const ACCLAIM: Readonly<Record<string, string>> = {
-  hipjoint: "hip", femur: "knee", tibia: "ankle", foot: "ball", toes: "toes", clavicle: "shoulder", humerus: "elbow",
-  radius: "wrist", wrist: "palm", hand: "hand", fingers: "fingers", thumb: "thumb",
+  hipjoint: "hip",
+  femur: "knee",
+  tibia: "ankle",
+  foot: "ball",
+  toes: "toes",
+  clavicle: "shoulder",
+  humerus: "elbow",
+  radius: "wrist",
+  wrist: "palm",
+  hand: "hand",
+  fingers: "fingers",
+  thumb: "thumb",
 };
 
 const WORDS: Readonly<Record<string, string>> = {
-  upleg: "hip", leg: "knee", uparm: "shoulder", upperarm: "shoulder", arm: "shoulder", forearm: "elbow", lowerarm: "elbow",
-  lowerback: "lower back", upperback: "upper back", thorax: "chest", lowerneck: "lower neck", upperneck: "upper neck",
-  toebase: "toes", toe: "toes", ball: "ball", collar: "collar", headtopend: "top of the head",
+  upleg: "hip",
+  leg: "knee",
+  uparm: "shoulder",
+  upperarm: "shoulder",
+  arm: "shoulder",
+  forearm: "elbow",
+  lowerarm: "elbow",
+  lowerback: "lower back",
+  upperback: "upper back",
+  thorax: "chest",
+  lowerneck: "lower neck",
+  upperneck: "upper neck",
+  toebase: "toes",
+  toe: "toes",
+  ball: "ball",
+  collar: "collar",
+  headtopend: "top of the head",
 };
 
 export function readJointName(name: string): JointName {

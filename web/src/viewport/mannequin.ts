@@ -1,8 +1,24 @@
 // The human: white clay capsules, a fuller torso, an egg for a head, no face.
 
 import {
-  type Color, CustomBlending, CylinderGeometry, GreaterDepth, Group, InstancedMesh, type Material, Matrix4, Mesh, MeshBasicMaterial,
-  MeshStandardMaterial, NotEqualStencilFunc, OneFactor, Quaternion, ReplaceStencilOp, SphereGeometry, Vector3, ZeroFactor,
+  type Color,
+  CustomBlending,
+  CylinderGeometry,
+  GreaterDepth,
+  Group,
+  InstancedMesh,
+  type Material,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  NotEqualStencilFunc,
+  OneFactor,
+  Quaternion,
+  ReplaceStencilOp,
+  SphereGeometry,
+  Vector3,
+  ZeroFactor,
 } from "three";
 import { type BodyPlan, buildBodyPlan, highestLeaf } from "./body-plan";
 import type { ContactShadow } from "./contact-shadow";

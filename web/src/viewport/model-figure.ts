@@ -1,7 +1,15 @@
 // The model: one shape, its clay or its own colours, and the ghost behind it.
 
 import {
-  BufferAttribute, DoubleSide, Group, Mesh, MeshStandardMaterial, RepeatWrapping, ReplaceStencilOp, SRGBColorSpace, Texture,
+  BufferAttribute,
+  DoubleSide,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  RepeatWrapping,
+  ReplaceStencilOp,
+  SRGBColorSpace,
+  Texture,
 } from "three";
 import { Ghost } from "./ghost";
 import { buildTopology, type Topology } from "./normals";

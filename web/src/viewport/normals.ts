@@ -57,11 +57,21 @@ export function writeNormals(topology: Topology, vertices: Float32Array, out: Fl
   const { cornerVertex, cornerSlot, slot, sums } = topology;
   sums.fill(0);
   for (let c = 0; c < cornerVertex.length; c += 3) {
-    const a = 3 * cornerVertex[c]!, b = 3 * cornerVertex[c + 1]!, d = 3 * cornerVertex[c + 2]!;
-    const ax = vertices[a]!, ay = vertices[a + 1]!, az = vertices[a + 2]!;
-    const ux = vertices[b]! - ax, uy = vertices[b + 1]! - ay, uz = vertices[b + 2]! - az;
-    const wx = vertices[d]! - ax, wy = vertices[d + 1]! - ay, wz = vertices[d + 2]! - az;
-    const nx = uy * wz - uz * wy, ny = uz * wx - ux * wz, nz = ux * wy - uy * wx;
+    const a = 3 * cornerVertex[c]!,
+      b = 3 * cornerVertex[c + 1]!,
+      d = 3 * cornerVertex[c + 2]!;
+    const ax = vertices[a]!,
+      ay = vertices[a + 1]!,
+      az = vertices[a + 2]!;
+    const ux = vertices[b]! - ax,
+      uy = vertices[b + 1]! - ay,
+      uz = vertices[b + 2]! - az;
+    const wx = vertices[d]! - ax,
+      wy = vertices[d + 1]! - ay,
+      wz = vertices[d + 2]! - az;
+    const nx = uy * wz - uz * wy,
+      ny = uz * wx - ux * wz,
+      nz = ux * wy - uy * wx;
     for (let k = c; k < c + 3; k++) {
       const s = 3 * cornerSlot[k]!;
       sums[s] = sums[s]! + nx;
@@ -71,7 +81,9 @@ export function writeNormals(topology: Topology, vertices: Float32Array, out: Fl
   }
   for (let i = 0; i < slot.length; i++) {
     const s = 3 * slot[i]!;
-    const x = sums[s]!, y = sums[s + 1]!, z = sums[s + 2]!;
+    const x = sums[s]!,
+      y = sums[s + 1]!,
+      z = sums[s + 2]!;
     const scale = 1 / (Math.sqrt(x * x + y * y + z * z) || 1);
     out[3 * i] = x * scale;
     out[3 * i + 1] = y * scale;
@@ -82,7 +94,9 @@ export function writeNormals(topology: Topology, vertices: Float32Array, out: Fl
 function faceNormals(positions: Float32Array, index: Uint32Array): Float32Array {
   const normals = new Float32Array(index.length);
   for (let c = 0; c < index.length; c += 3) {
-    const a = 3 * index[c]!, b = 3 * index[c + 1]!, d = 3 * index[c + 2]!;
+    const a = 3 * index[c]!,
+      b = 3 * index[c + 1]!,
+      d = 3 * index[c + 2]!;
     const u = [0, 1, 2].map((k) => positions[b + k]! - positions[a + k]!);
     const w = [0, 1, 2].map((k) => positions[d + k]! - positions[a + k]!);
     const n = [u[1]! * w[2]! - u[2]! * w[1]!, u[2]! * w[0]! - u[0]! * w[2]!, u[0]! * w[1]! - u[1]! * w[0]!];
@@ -110,7 +124,8 @@ function smoothSlots(normals: Float32Array, cornerVertex: Uint32Array): Uint32Ar
   for (let c = 0; c < corners; c++) {
     const face = c - (c % 3);
     const next = face + ((c + 1) % 3);
-    const v = cornerVertex[c]!, w = cornerVertex[next]!;
+    const v = cornerVertex[c]!,
+      w = cornerVertex[next]!;
     const key = Math.min(v, w) * corners + Math.max(v, w);
     before[c] = first.get(key) ?? -1;
     for (let other = before[c]!; other >= 0; other = before[other]!) {

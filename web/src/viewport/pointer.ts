@@ -35,7 +35,10 @@ export class Pointer {
   private space = false;
   private readonly abort = new AbortController();
 
-  constructor(private readonly element: HTMLElement, private readonly handler: PointerHandler) {
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly handler: PointerHandler,
+  ) {
     const { signal } = this.abort;
     const listen = <K extends keyof HTMLElementEventMap>(name: K, listener: (event: HTMLElementEventMap[K]) => void): void =>
       element.addEventListener(name, listener, { signal, capture: true });

@@ -1,7 +1,7 @@
 // The scene under the figures: renderer, lights, ground, fog, and the travel of the figures under a camera that stays at the
 // origin. "World" is a figure's own world; "scene" is what is drawn: world plus the figure's lane minus the travel.
 
-import { Fog, Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, VSMShadowMap, WebGLRenderer } from "three";
+import { Fog, Group, NeutralToneMapping, type PerspectiveCamera, Scene, Vector3, VSMShadowMap, WebGLRenderer } from "three";
 import { ContactShadow } from "./contact-shadow";
 import { AZIMUTH, lanes, type Content } from "./framing";
 import { Ground } from "./ground";
@@ -51,7 +51,10 @@ export class Stage {
   private together = 0;
   private placed = false;
 
-  constructor(canvas: HTMLCanvasElement, private readonly still: boolean) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly still: boolean,
+  ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     this.travel = new Travel([this.model.traveller, this.human.traveller], still);
     this.renderer.toneMapping = NeutralToneMapping;
@@ -119,7 +122,10 @@ export class Stage {
     let moving = this.together !== together;
     if (!frozen) moving = this.travel.follow(seconds, snap, this.together) || moving;
     for (const lane of [this.model, this.human]) {
-      const { x, traveller: { aside } } = lane;
+      const {
+        x,
+        traveller: { aside },
+      } = lane;
       lane.x = ease(x, lane.xGoal);
       moving ||= lane.x !== x;
       // Lanes lie across the first view, so that both stand equally far from the eye.

@@ -1,7 +1,7 @@
 // The mannequin's trunk: a rounded skin from hips to shoulders, bent along the spine; rings across it, wider at both ends than
 // at the waist.
 
-import { BufferAttribute, DynamicDrawUsage, Mesh, MeshStandardMaterial, PlaneGeometry, Vector3 } from "three";
+import { type BufferAttribute, DynamicDrawUsage, Mesh, type MeshStandardMaterial, PlaneGeometry, Vector3 } from "three";
 import type { Torso } from "./body-plan";
 
 const RINGS = 14;
@@ -11,11 +11,23 @@ export class TorsoSkin {
   readonly mesh: Mesh<PlaneGeometry, MeshStandardMaterial>;
   private readonly position: BufferAttribute;
   private readonly points = {
-    leftHip: new Vector3(), rightHip: new Vector3(), leftShoulder: new Vector3(), rightShoulder: new Vector3(), middle: new Vector3(),
-    pelvis: new Vector3(), chest: new Vector3(), centre: new Vector3(), along: new Vector3(), across: new Vector3(), out: new Vector3(),
+    leftHip: new Vector3(),
+    rightHip: new Vector3(),
+    leftShoulder: new Vector3(),
+    rightShoulder: new Vector3(),
+    middle: new Vector3(),
+    pelvis: new Vector3(),
+    chest: new Vector3(),
+    centre: new Vector3(),
+    along: new Vector3(),
+    across: new Vector3(),
+    out: new Vector3(),
   };
 
-  constructor(private readonly torso: Torso, material: MeshStandardMaterial) {
+  constructor(
+    private readonly torso: Torso,
+    material: MeshStandardMaterial,
+  ) {
     const geometry = new PlaneGeometry(1, 1, SIDES, RINGS - 1); // only its grid of triangles
     this.position = geometry.getAttribute("position") as BufferAttribute;
     this.position.setUsage(DynamicDrawUsage);
@@ -43,7 +55,11 @@ export class TorsoSkin {
       const angle = (Math.PI * ring) / (RINGS - 1);
       const t = 0.5 - 0.5 * Math.cos(angle); // rings crowd where the ends close
       const s = 1 - t;
-      centre.set(0, 0, 0).addScaledVector(pelvis, s * s).addScaledVector(bend, 2 * s * t).addScaledVector(chest, t * t);
+      centre
+        .set(0, 0, 0)
+        .addScaledVector(pelvis, s * s)
+        .addScaledVector(bend, 2 * s * t)
+        .addScaledVector(chest, t * t);
       along.copy(bend).sub(pelvis).multiplyScalar(s).addScaledVector(chest, t).addScaledVector(bend, -t).normalize();
       across.copy(hipLine).multiplyScalar(s).addScaledVector(shoulderLine, t);
       across.addScaledVector(along, -across.dot(along)).normalize();
@@ -75,7 +91,9 @@ export class TorsoSkin {
     const { along: a, across: b } = this.points;
     for (let ring = 0; ring < RINGS; ring++) {
       const first = ring * (SIDES + 1);
-      a.fromBufferAttribute(normal, first).add(b.fromBufferAttribute(normal, first + SIDES)).normalize();
+      a.fromBufferAttribute(normal, first)
+        .add(b.fromBufferAttribute(normal, first + SIDES))
+        .normalize();
       normal.setXYZ(first, a.x, a.y, a.z);
       normal.setXYZ(first + SIDES, a.x, a.y, a.z);
     }

@@ -36,7 +36,10 @@ export class Travel {
   private again = false;
 
   /** `still`: whatever moves is there at once. */
-  constructor(private readonly travellers: readonly Traveller[], private readonly still: boolean) {}
+  constructor(
+    private readonly travellers: readonly Traveller[],
+    private readonly still: boolean,
+  ) {}
 
   /** The next places are those of the clip's beginning, reached by its end. */
   beginAgain(): void {
@@ -73,7 +76,11 @@ export class Travel {
       moving ||= slips;
       slip.multiplyScalar(slips ? Math.exp(-seconds / REUNION_SECONDS) : 0);
       lead.subVectors(ground, this.goal);
-      aside.copy(slip).multiplyScalar(1 - together).addScaledVector(lead, -together).sub(this.here);
+      aside
+        .copy(slip)
+        .multiplyScalar(1 - together)
+        .addScaledVector(lead, -together)
+        .sub(this.here);
     }
     return moving;
   }

@@ -41,9 +41,7 @@ export interface Dot {
   twin?: boolean;
 }
 
-export type ViewMode =
-  | "pose" /** dots on the model drag */
-  | "points"; /** pair lines show; a click on the mesh or on a joint picks it */
+export type ViewMode = "pose" /** dots on the model drag */ | "points"; /** pair lines show; a click on the mesh or on a joint picks it */
 
 export interface ViewportEvents {
   /** The pointer took a dot of the model. */
@@ -65,7 +63,12 @@ export interface ViewportEvents {
   "context-restored": Record<string, never>;
 }
 
-export interface Insets { left: number; top: number; right: number; bottom: number }
+export interface Insets {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
 
 export interface ViewportApi {
   on<K extends keyof ViewportEvents>(name: K, listener: (detail: ViewportEvents[K]) => void): () => void;

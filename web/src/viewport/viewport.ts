@@ -57,8 +57,15 @@ export class Viewport implements ViewportApi {
     this.shadow.append(canvas, this.marks.lines.element, this.marks.overlay.element);
     this.paint(theme);
 
-    this.interaction = new Interaction(this.root, this.rig, this.hand, this.marks, this.events, () => this.refreshMarks(),
-      () => performance.now() - this.movedAt < 1200);
+    this.interaction = new Interaction(
+      this.root,
+      this.rig,
+      this.hand,
+      this.marks,
+      this.events,
+      () => this.refreshMarks(),
+      () => performance.now() - this.movedAt < 1200,
+    );
     this.listenToContext(canvas);
     this.listenForHand();
     this.observer = new ResizeObserver(() => this.resize());
@@ -264,28 +271,40 @@ export class Viewport implements ViewportApi {
   private listenForHand(): void {
     const hand = new AbortController();
     for (const name of ["pointerenter", "pointerdown", "focusin"] as const) {
-      this.root.addEventListener(name, () => {
-        hand.abort();
-        void this.figures.loadRays().then(() => {
-          this.marks.occlusionStale = true;
-          this.refreshMarks();
-        });
-      }, { signal: AbortSignal.any([hand.signal, this.abort.signal]) });
+      this.root.addEventListener(
+        name,
+        () => {
+          hand.abort();
+          void this.figures.loadRays().then(() => {
+            this.marks.occlusionStale = true;
+            this.refreshMarks();
+          });
+        },
+        { signal: AbortSignal.any([hand.signal, this.abort.signal]) },
+      );
     }
   }
 
   private listenToContext(canvas: HTMLCanvasElement): void {
     const { signal } = this.abort;
-    canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      this.lost = true;
-      this.events.emit("context-lost", {});
-    }, { signal });
-    canvas.addEventListener("webglcontextrestored", () => {
-      this.lost = false;
-      this.stage.arrange();
-      this.invalidate();
-      this.events.emit("context-restored", {});
-    }, { signal });
+    canvas.addEventListener(
+      "webglcontextlost",
+      (event) => {
+        event.preventDefault();
+        this.lost = true;
+        this.events.emit("context-lost", {});
+      },
+      { signal },
+    );
+    canvas.addEventListener(
+      "webglcontextrestored",
+      () => {
+        this.lost = false;
+        this.stage.arrange();
+        this.invalidate();
+        this.events.emit("context-restored", {});
+      },
+      { signal },
+    );
   }
 }

@@ -10,7 +10,10 @@ for (const scheme of ["light", "dark"] as const) {
       if (key) await page.keyboard.press(key);
       const { violations } = await new AxeBuilder({ page }).analyze();
       const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-      expect(serious.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`), `after ${key}`).toEqual([]);
+      expect(
+        serious.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`),
+        `after ${key}`,
+      ).toEqual([]);
     }
   });
 }
@@ -48,7 +51,8 @@ test("on a phone every button is large enough for a thumb", async ({ browser }) 
           if (element.shadowRoot) visit(element.shadowRoot);
           if (!element.matches("button, select, input:not([type=range]):not([role=switch])")) continue;
           const { width, height } = element.getBoundingClientRect();
-          if (width > 0 && height > 0 && (width < 40 || height < 40) && !element.matches(".handle")) found.push(`${element.outerHTML.slice(0, 120)} ${width} x ${height}`);
+          if (width > 0 && height > 0 && (width < 40 || height < 40) && !element.matches(".handle"))
+            found.push(`${element.outerHTML.slice(0, 120)} ${width} x ${height}`);
         }
       };
       visit(document);

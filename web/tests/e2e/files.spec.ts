@@ -9,7 +9,10 @@ test("a model, a skeleton and a motion dropped together dance at once; other poi
   test.skip(files.includes(null), "the test data is not beside the repository");
   await open(page);
   await pause(page);
-  await drop(page, files.filter((file) => file !== null));
+  await drop(
+    page,
+    files.filter((file) => file !== null),
+  );
   await expect.poll(async () => (await documentOf(page)).motion.files, { timeout: 60_000 }).toEqual(["02.asf", "02_01.amc"]);
   const opened = await documentOf(page);
   expect(opened.mesh.file).toBe("spot.obj");
@@ -122,7 +125,10 @@ test("a project saved and opened again is the same", async ({ page }) => {
 
 test("the dance is exported as a GLB", async ({ page }) => {
   await open(page);
-  const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.getByRole("button", { name: "Export" }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download", { timeout: 60_000 }),
+    page.getByRole("button", { name: "Export" }).click(),
+  ]);
   expect(download.suggestedFilename()).toBe("Cactus.glb");
   const bytes = readFileSync(await download.path());
   expect(bytes.subarray(0, 4).toString()).toBe("glTF");

@@ -8,7 +8,9 @@ test("what the first load transfers fits in 450 kB, gzipped", async ({ page }) =
   });
   await page.goto("/");
   for (const kind of [/\.css$/, /\.js$/, /\.wasm$/, /\.glb$/, /\.bvh$/]) {
-    await expect.poll(() => [...urls].filter((url) => kind.test(url)).length, { message: String(kind), timeout: 60_000 }).toBeGreaterThan(0);
+    await expect
+      .poll(() => [...urls].filter((url) => kind.test(url)).length, { message: String(kind), timeout: 60_000 })
+      .toBeGreaterThan(0);
   }
   await page.waitForTimeout(2_000);
 

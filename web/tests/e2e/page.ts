@@ -66,13 +66,16 @@ export async function dotAt(page: Page, name: string): Promise<{ x: number; y: n
   const dot = page.locator(".dot.model", { has: page.locator(`xpath=self::*[contains(@aria-label, ", ${name},")]`) });
   let last = { x: NaN, y: NaN };
   await expect
-    .poll(async () => {
-      const box = await dot.boundingBox();
-      const now = box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: NaN, y: NaN };
-      const still = Math.hypot(now.x - last.x, now.y - last.y) < 1;
-      last = now;
-      return still;
-    }, { intervals: [300] })
+    .poll(
+      async () => {
+        const box = await dot.boundingBox();
+        const now = box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: NaN, y: NaN };
+        const still = Math.hypot(now.x - last.x, now.y - last.y) < 1;
+        last = now;
+        return still;
+      },
+      { intervals: [300] },
+    )
     .toBe(true);
   return last;
 }
@@ -90,14 +93,17 @@ export interface DroppedFile {
 
 /** Drops files on the middle of the window. */
 export async function drop(page: Page, files: readonly DroppedFile[]): Promise<void> {
-  const data = await page.evaluateHandle((list) => {
-    const transfer = new DataTransfer();
-    for (const { name, base64 } of list) {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      transfer.items.add(new File([bytes], name));
-    }
-    return transfer;
-  }, files.map(({ name, bytes }) => ({ name, base64: bytes.toString("base64") })));
+  const data = await page.evaluateHandle(
+    (list) => {
+      const transfer = new DataTransfer();
+      for (const { name, base64 } of list) {
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        transfer.items.add(new File([bytes], name));
+      }
+      return transfer;
+    },
+    files.map(({ name, bytes }) => ({ name, base64: bytes.toString("base64") })),
+  );
   await page.locator("rigless-app").dispatchEvent("dragenter", { dataTransfer: data });
   await page.locator("rigless-app").dispatchEvent("drop", { dataTransfer: data });
 }

@@ -17,7 +17,10 @@ test("contacts and flights are moved on the timeline, by hand and by keys, undon
   const C = contacts.length / frames;
   const left = 4;
   expect((await documentOf(page)).points[left].id).toBe("left-edge");
-  const runs = contacts.flatMap((_, i): number[] => (i % C === left ? [contacts[i]] : [])).join("").matchAll(/1+/g);
+  const runs = contacts
+    .flatMap((_, i): number[] => (i % C === left ? [contacts[i]] : []))
+    .join("")
+    .matchAll(/1+/g);
   const expected = [...runs].map((run) => [run.index, run.index + run[0].length]);
 
   const row = page.locator("rigless-footing .pair").filter({ hasText: "Left edge" });
@@ -101,7 +104,11 @@ test("the page asks for the pose that teaches most; the answer closes the questi
   await pause(page);
   // Without the poses of its own the dance is guesswork.
   await page.getByRole("button", { name: "Poses", exact: true }).click();
-  for (let n = (await documentOf(page)).examples.length; n > 2; n--) await page.getByRole("button", { name: /^Delete the pose/ }).last().click();
+  for (let n = (await documentOf(page)).examples.length; n > 2; n--)
+    await page
+      .getByRole("button", { name: /^Delete the pose/ })
+      .last()
+      .click();
   await settled(page);
   const { have, want } = await page.evaluate(() => rigless!.performance!.enough);
   expect(want).toBeGreaterThan(have);
@@ -149,7 +156,8 @@ test("how soon the new dance is there after a drag (printed, not judged)", async
       let begin = 0;
       const look = (): void => {
         if (begin === 0 && rigless!.document.examples.length > examples) begin = performance.now();
-        if (begin > 0 && rigless!.performance !== old && rigless!.stale < rigless!.frames) document.title = String(performance.now() - begin);
+        if (begin > 0 && rigless!.performance !== old && rigless!.stale < rigless!.frames)
+          document.title = String(performance.now() - begin);
         else setTimeout(look);
       };
       document.title = "";
@@ -163,6 +171,8 @@ test("how soon the new dance is there after a drag (printed, not judged)", async
     await settled(page);
   }
   const sorted = times.toSorted((a, b) => a - b);
-  console.log(`a dragged pose to the first frame of the new dance: median ${sorted[2].toFixed(0)} ms, ${sorted[0].toFixed(0)} to ${sorted[4].toFixed(0)}`);
+  console.log(
+    `a dragged pose to the first frame of the new dance: median ${sorted[2].toFixed(0)} ms, ${sorted[0].toFixed(0)} to ${sorted[4].toFixed(0)}`,
+  );
   expect(times).toHaveLength(5);
 });

@@ -21,12 +21,15 @@ export const TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4
 /** Bytes of a 1 x 1 PNG. */
 export const PNG = Uint8Array.from(
   atob("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg=="),
-  (letter) => letter.charCodeAt(0));
+  (letter) => letter.charCodeAt(0),
+);
 
-const read = (folder: string) => (path: string): NamedFile => ({
-  name: path.slice(path.lastIndexOf("/") + 1),
-  bytes: new Uint8Array(readFileSync(new URL(`../../${folder}/${path}`, import.meta.url))),
-});
+const read =
+  (folder: string) =>
+  (path: string): NamedFile => ({
+    name: path.slice(path.lastIndexOf("/") + 1),
+    bytes: new Uint8Array(readFileSync(new URL(`../../${folder}/${path}`, import.meta.url))),
+  });
 /** A file of tests/fixtures. */
 export const fixture = read("tests/fixtures");
 /** A file of assets. */

@@ -14,11 +14,17 @@ interface Report {
   flights: { frames: [number, number]; massOverG: number }[];
   secondDifference: { worst: string; seam: string };
 }
-interface Authored { make: () => unknown[]; fps: number; travels: number[] | null }
+interface Authored {
+  make: () => unknown[];
+  fps: number;
+  travels: number[] | null;
+}
 
 const authoring = (path: string) => import(new URL(`../../authoring/${path}`, import.meta.url).href);
 const { REPERTOIRE } = (await authoring("motions/repertoire.js")) as { REPERTOIRE: Record<string, Authored> };
-const { reportMotion } = (await authoring("kit/motion-report.js")) as { reportMotion: (poses: unknown[], fps: number, way: { travels: number[] | null }) => Report };
+const { reportMotion } = (await authoring("kit/motion-report.js")) as {
+  reportMotion: (poses: unknown[], fps: number, way: { travels: number[] | null }) => Report;
+};
 
 const engine = await createNodeEngine();
 afterAll(() => engine.close());
@@ -39,7 +45,11 @@ describe.each(list)("$name", ({ file, seconds, travels }) => {
     expect(report.stretch).toBeLessThan(1);
     expect(report.lowestToeEnd).toBeGreaterThan(-0.1);
     for (const slide of report.slideMillimetres) expect(slide).toBeLessThan(1);
-    for (const { frames: [a, b], massOverG } of report.flights) if (b - a > 4) expect(Math.abs(massOverG - 1)).toBeLessThan(0.05);
+    for (const {
+      frames: [a, b],
+      massOverG,
+    } of report.flights)
+      if (b - a > 4) expect(Math.abs(massOverG - 1)).toBeLessThan(0.05);
     expect(parseFloat(report.secondDifference.seam)).toBeLessThanOrEqual(parseFloat(report.secondDifference.worst) + 0.01);
     expect(seconds).toBeGreaterThanOrEqual(2);
     expect(seconds).toBeLessThanOrEqual(8);
@@ -61,12 +71,18 @@ describe.each(list)("$name", ({ file, seconds, travels }) => {
       const floor = Math.min(...Array.from({ length: motion.frames }, (_, frame) => at(frame)[1]));
       const down = (frame: number) => at(frame)[1] < floor + 0.0005;
       for (let frame = 1; frame < motion.frames; frame++) {
-        if (down(frame - 1) && down(frame)) expect(Math.hypot(at(frame)[0] - at(frame - 1)[0], at(frame)[2] - at(frame - 1)[2])).toBeLessThan(0.001);
+        if (down(frame - 1) && down(frame))
+          expect(Math.hypot(at(frame)[0] - at(frame - 1)[0], at(frame)[2] - at(frame - 1)[2])).toBeLessThan(0.001);
       }
     }
     const joint = (name: string) => motion.joints.findIndex((other) => other.name === name);
     const performance = await engine.retarget({
-      pairs: Int32Array.of(joint("LeftFoot"), joint("RightFoot")), examples: [], smoothness: 0.3, volume: 1, groundContact: true, inPlace: false,
+      pairs: Int32Array.of(joint("LeftFoot"), joint("RightFoot")),
+      examples: [],
+      smoothness: 0.3,
+      volume: 1,
+      groundContact: true,
+      inPlace: false,
     });
     if (id in FLIGHTS) expect(performance.flights).toHaveLength(FLIGHTS[id]!);
     else if (!["run", "folk"].includes(id)) expect(performance.flights).toEqual([]);

@@ -23,7 +23,9 @@ describe.each(list)("$name", (character) => {
     expect(positions.length / 3).toBe(character.vertices);
     const edges = new Set([...faces].map((v, i) => v * character.vertices + faces[i % 3 === 2 ? i - 2 : i + 1]));
     expect(edges.size).toBe(faces.length);
-    const open = [...edges].filter((edge) => !edges.has((edge % character.vertices) * character.vertices + Math.floor(edge / character.vertices)));
+    const open = [...edges].filter(
+      (edge) => !edges.has((edge % character.vertices) * character.vertices + Math.floor(edge / character.vertices)),
+    );
     expect(open).toEqual([]);
     expect(character.vertices - edges.size / 2 + faces.length / 3).toBe(2);
     expect(notes).toEqual([]);
@@ -40,7 +42,12 @@ describe.each(list)("$name", (character) => {
 });
 
 it("the whole cast and its motions are at most 600 kB compressed", () => {
-  const motions = readdirSync(new URL("../../assets/motions", import.meta.url)).filter((file) => file.endsWith(".bvh")).map((file) => asset(`motions/${file}`));
-  const files = [...motions, ...list.flatMap((character) => [projectOf(character).model, asset(normalPath(`characters/${character.project}`))])];
+  const motions = readdirSync(new URL("../../assets/motions", import.meta.url))
+    .filter((file) => file.endsWith(".bvh"))
+    .map((file) => asset(`motions/${file}`));
+  const files = [
+    ...motions,
+    ...list.flatMap((character) => [projectOf(character).model, asset(normalPath(`characters/${character.project}`))]),
+  ];
   expect(files.reduce((sum, { bytes }) => sum + gzipSync(bytes).length, 0)).toBeLessThan(600_000);
 });

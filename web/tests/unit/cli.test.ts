@@ -27,12 +27,17 @@ beforeAll(() => build({ root: web, configFile: join(web, "vite.node.config.ts"),
 beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), "rigless-"))));
 afterEach(() => rmSync(folder, { recursive: true }));
 
-interface Run { code: number | null; stdout: string; stderr: string }
+interface Run {
+  code: number | null;
+  stdout: string;
+  stderr: string;
+}
 
 function rigless(...args: string[]): Promise<Run> {
   return new Promise((resolve) => {
     execFile(process.execPath, [program, ...args], { cwd: folder }, (error, stdout, stderr) =>
-      resolve({ code: error ? (typeof error.code === "number" ? error.code : null) : 0, stdout, stderr }));
+      resolve({ code: error ? (typeof error.code === "number" ? error.code : null) : 0, stdout, stderr }),
+    );
   });
 }
 
@@ -50,7 +55,8 @@ async function playedFrame(glb: Uint8Array<ArrayBuffer>, n: number): Promise<{ p
 function copySpot(into: string): void {
   mkdirSync(into, { recursive: true });
   copyFileSync(new URL("../fixtures/spot-walk/project.json", import.meta.url), join(into, "project.json"));
-  for (const file of ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"]) writeFileSync(join(into, basename(file)), sharedFile(file).bytes);
+  for (const file of ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"])
+    writeFileSync(join(into, basename(file)), sharedFile(file).bytes);
 }
 
 describe("rigless bake", () => {
@@ -95,8 +101,8 @@ describe("rigless bake", () => {
     expect(few.positions).toEqual((await playedFrame(glb, 30)).positions);
   });
 
-
-  it.skipIf(!hasShared)("walks a cow with an ASF and an AMC, from a folder and from a saved file (skipped where ../shared/data is absent)",
+  it.skipIf(!hasShared)(
+    "walks a cow with an ASF and an AMC, from a folder and from a saved file (skipped where ../shared/data is absent)",
     async () => {
       copySpot(join(folder, "spot"));
       const run = await rigless("bake", "spot/project.json", "--track", "loose.json", "--out", "spot.glb");
@@ -115,7 +121,8 @@ describe("rigless bake", () => {
       writeFileSync(join(folder, "cow.rigless"), saveProject(document, files));
       expect((await rigless("bake", "cow.rigless", "--track", "saved.json", "-q")).code).toBe(0);
       expect(trackOf("saved.json")).toEqual(track);
-    });
+    },
+  );
 });
 
 describe("rigless bake without a project", () => {
@@ -123,8 +130,16 @@ describe("rigless bake without a project", () => {
 
   it("guesses how a model stands and what moves it, and says so", async () => {
     const { positions, faces } = post();
-    const rows = (kind: string, numbers: number[]): string => Array.from({ length: numbers.length / 3 }, (_, n) => `${kind} ${numbers.slice(3 * n, 3 * n + 3).join(" ")}\n`).join("");
-    writeFileSync(join(folder, "post.obj"), rows("v", [...positions]) + rows("f", Array.from(faces, (v) => v + 1)));
+    const rows = (kind: string, numbers: number[]): string =>
+      Array.from({ length: numbers.length / 3 }, (_, n) => `${kind} ${numbers.slice(3 * n, 3 * n + 3).join(" ")}\n`).join("");
+    writeFileSync(
+      join(folder, "post.obj"),
+      rows("v", [...positions]) +
+        rows(
+          "f",
+          Array.from(faces, (v) => v + 1),
+        ),
+    );
     const run = await rigless("bake", "post.obj", HOP, "--out", "dance.glb", "--track", "track.json");
     expect(run).toMatchObject({ code: 0, stdout: "" });
     expect(run.stderr).toContain("note: post.obj is taken to stand with +y up and to look along +z; its sides are alike.\n");
@@ -134,7 +149,8 @@ describe("rigless bake without a project", () => {
   });
 
   it.skipIf(!hasShared)("walks a cow that nobody has said anything about (skipped where ../shared/data is absent)", async () => {
-    for (const file of ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"]) writeFileSync(join(folder, basename(file)), sharedFile(file).bytes);
+    for (const file of ["meshes/spot.obj", "motions/02.asf", "motions/02_01.amc"])
+      writeFileSync(join(folder, basename(file)), sharedFile(file).bytes);
     const run = await rigless("bake", "spot.obj", "02_01.amc", "02.asf", "--track", "track.json");
     expect(run.code).toBe(0);
     expect(run.stderr).toContain("note: spot.obj is taken to stand with +y up and to look along -z; its sides are alike.\n");
@@ -148,9 +164,14 @@ describe("rigless bake without a project", () => {
 });
 
 describe("what cannot be done", () => {
-  const project = (change: object): string => JSON.stringify({
-    version: 1, mesh: { file: "bean.obj" }, motion: { files: ["hop.bvh"] }, points: [{ id: "a", name: "a", position: [0, 0, 0], joint: null }], ...change,
-  });
+  const project = (change: object): string =>
+    JSON.stringify({
+      version: 1,
+      mesh: { file: "bean.obj" },
+      motion: { files: ["hop.bvh"] },
+      points: [{ id: "a", name: "a", position: [0, 0, 0], joint: null }],
+      ...change,
+    });
 
   async function refused(files: Record<string, string | Uint8Array>, ...args: string[]): Promise<string> {
     for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
@@ -169,16 +190,28 @@ describe("what cannot be done", () => {
   it("names the file and what is wrong with it", async () => {
     expect(await refused({})).toBe("project.json: there is no such file.");
     expect(await refused({ "project.json": "{" })).toMatch(/^project\.json is not whole JSON: /);
-    expect(await refused({ "project.json": new Uint8Array([1, 0, 2]) })).toBe("project.json is neither a project.json nor a saved project.");
+    expect(await refused({ "project.json": new Uint8Array([1, 0, 2]) })).toBe(
+      "project.json is neither a project.json nor a saved project.",
+    );
     expect(await refused({ "project.json": project({ version: 2 }) })).toContain("saved by a newer Rigless (version 2)");
-    expect(await refused({ "project.json": project({ points: 3 }) })).toBe("project.json: points should be a list of objects, but it is 3.");
+    expect(await refused({ "project.json": project({ points: 3 }) })).toBe(
+      "project.json: points should be a list of objects, but it is 3.",
+    );
     expect(await refused({ "project.json": project({}) })).toBe("project.json names bean.obj: there is no such file.");
     expect(await refused({ "bean.obj": bean })).toBe("project.json names hop.bvh: there is no such file.");
     expect(await refused({ "hop.bvh": hop, "bean.obj": bean + "f 1 2 9\n" })).toBe(
-      "bean.obj, line 9: a face names vertex 9, but there are 4 vertices above it.");
+      "bean.obj, line 9: a face names vertex 9, but there are 4 vertices above it.",
+    );
     expect(await refused({ "bean.obj": bean, "hop.bvh": "HIERARCHY\nROOT a\n{\n" })).toMatch(/^hop\.bvh/);
-    expect(await refused({ "project.json": readFileSync(program).subarray(0, 3), "x.zip": "PK\u0003\u0004junk" }, "bake", "x.zip", "--out", "a.glb")).toMatch(
-      /^x\.zip is a broken zip: /);
+    expect(
+      await refused(
+        { "project.json": readFileSync(program).subarray(0, 3), "x.zip": "PK\u0003\u0004junk" },
+        "bake",
+        "x.zip",
+        "--out",
+        "a.glb",
+      ),
+    ).toMatch(/^x\.zip is a broken zip: /);
   });
 
   it("is not led astray by what a model names beside it", async () => {
@@ -188,40 +221,56 @@ describe("what cannot be done", () => {
     writeFileSync(join(folder, "a.mtl"), "newmtl a\nmap_Kd a.mtl\n");
     expect(await rigless("bake", "project.json", "--track", "t.json", "-q")).toEqual({ code: 0, stdout: "", stderr: "" });
     const gltf = '{"asset":{"version":"2.0"},"buffers":[{"uri":"%zz.bin","byteLength":4}]}';
-    expect(await refused({ "bean.gltf": gltf, "project.json": project({ mesh: { file: "bean.gltf" } }) })).toBe("bean.gltf needs %zz.bin; drop both together.");
-    expect(await refused({ "project.json": project({ mesh: { file: "/dev/zero" } }) })).toBe("project.json names /dev/zero: it is not a file.");
+    expect(await refused({ "bean.gltf": gltf, "project.json": project({ mesh: { file: "bean.gltf" } }) })).toBe(
+      "bean.gltf needs %zz.bin; drop both together.",
+    );
+    expect(await refused({ "project.json": project({ mesh: { file: "/dev/zero" } }) })).toBe(
+      "project.json names /dev/zero: it is not a file.",
+    );
   });
 
   it("needs a point, and frames that fit into a file", async () => {
     expect(await refused({ "bean.obj": bean, "hop.bvh": hop, "project.json": project({ points: [] }) })).toBe(
-      "project.json: points is empty; at least one is needed to dance.");
+      "project.json: points is empty; at least one is needed to dance.",
+    );
     const points = Array.from({ length: 5 }, (_, n) => ({ id: `${n}`, name: "", position: [0, 0, 0], joint: null }));
     expect(await refused({ "project.json": project({ points }) })).toBe("project.json has 5 points, but bean.obj only 4 vertices.");
-    const slow = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}\nMOTION\nFrames: 125\nFrame Time: 10\n" +
+    const slow =
+      "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}\nMOTION\nFrames: 125\nFrame Time: 10\n" +
       Array.from({ length: 125 }, (_, f) => `0 ${f % 2} 0\n`).join("");
     expect(await refused({ "hop.bvh": slow, "project.json": project({}) })).toBe(
-      "dance.glb would hold 5.5 GB, more than a GLB can: --every 2 keeps fewer of its 37,201 frames.");
+      "dance.glb would hold 5.5 GB, more than a GLB can: --every 2 keeps fewer of its 37,201 frames.",
+    );
   });
 
   it("takes one model and one motion", async () => {
     const bake = (...files: string[]): string[] => ["bake", ...files, "--out", "dance.glb"];
     expect(await refused({ "bean.obj": bean, "hop.bvh": hop }, ...bake("bean.obj", "no.bvh"))).toBe("no.bvh: there is no such file.");
     expect(await refused({ "two.obj": bean }, ...bake("bean.obj", "two.obj"))).toBe(
-      "one model and one motion are needed, but among bean.obj, two.obj there are 2 and 0.");
-    expect(await refused({ "a.amc": ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n" }, ...bake("bean.obj", "a.amc"))).toContain("needs its skeleton");
+      "one model and one motion are needed, but among bean.obj, two.obj there are 2 and 0.",
+    );
+    expect(await refused({ "a.amc": ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n" }, ...bake("bean.obj", "a.amc"))).toContain(
+      "needs its skeleton",
+    );
   });
 
   it("does not begin when there is no place for the result", async () => {
-    expect(await refused({ "project.json": project({}) }, "bake", "project.json", "--out", "no/where.glb")).toBe("no/where.glb: there is no folder no.");
+    expect(await refused({ "project.json": project({}) }, "bake", "project.json", "--out", "no/where.glb")).toBe(
+      "no/where.glb: there is no folder no.",
+    );
     expect(await refused({}, "bake", "project.json", "--out", ".")).toBe(".: it is a folder.");
   });
 
   it("asks for what it needs", async () => {
     expect(await refused({}, "bake")).toBe("bake needs a project, or a model and a motion. See rigless --help.");
     expect(await refused({}, "bake", "a.json")).toBe("bake needs --out, --track or both.");
-    expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--every", "0")).toBe('--every should be a whole number from 1, but it is "0".');
+    expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--every", "0")).toBe(
+      '--every should be a whole number from 1, but it is "0".',
+    );
     expect(await refused({}, "bake", "a.json", "b.json", "--out", "a.glb")).toBe('bake takes one project; "b.json" is too much.');
-    expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe("bake needs a motion too: rigless bake a.obj motion.bvh --out dance.glb");
+    expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe(
+      "bake needs a motion too: rigless bake a.obj motion.bvh --out dance.glb",
+    );
     expect(await refused({}, "bake", "--louder")).toContain("--louder");
     expect(await refused({}, "boil")).toBe('"boil" is no command. See rigless --help.');
   });

@@ -32,7 +32,9 @@ it("the page's project is one, says everything there is to say, and each field i
   const { properties, $defs } = schema;
   const known = [
     ...Object.keys(properties),
-    ...(["mesh", "motion", "settings"] as const).flatMap((key) => Object.keys(properties[key].properties).map((inner) => `${key}.${inner}`)),
+    ...(["mesh", "motion", "settings"] as const).flatMap((key) =>
+      Object.keys(properties[key].properties).map((inner) => `${key}.${inner}`),
+    ),
     ...Object.keys($defs.point.properties).map((key) => `points[].${key}`),
     ...Object.keys($defs.example.properties).map((key) => `examples[].${key}`),
     ...Object.keys($defs.clip.properties).map((key) => `clips.*.${key}`),
@@ -47,17 +49,37 @@ it("the page's track has exactly the fields that are written", async () => {
   const model = await readModel([textFile("t.obj", TETRAHEDRON)]);
   const { document } = parseProject(example("project.json"), "project.json");
   const C = document.points.length;
-  const frame = { positions: model.positions, volumeRatio: 1, root: [0, 0.5, 2, Math.PI / 2] as [number, number, number, number], milliseconds: 1 };
+  const frame = {
+    positions: model.positions,
+    volumeRatio: 1,
+    root: [0, 0.5, 2, Math.PI / 2] as [number, number, number, number],
+    milliseconds: 1,
+  };
   const track = trackOf(document, model, {
     motion: {
-      frames: 2, joints: [], positions: new Float32Array(0), local: new Float32Array(0), yaw: new Float32Array(2),
-      source: { frames: 8, fps: 120, metresPerUnit: 1 }, notes: [],
+      frames: 2,
+      joints: [],
+      positions: new Float32Array(0),
+      local: new Float32Array(0),
+      yaw: new Float32Array(2),
+      source: { frames: 8, fps: 120, metresPerUnit: 1 },
+      notes: [],
     },
     performance: {
-      frames: 2, controls: Float32Array.from({ length: 6 * C }, (_, i) => i), contacts: Uint8Array.from([1, 0, 1, 1, 1, 0]),
-      flights: [[0, 1]], yaw: new Float32Array(2), travel: new Float32Array(4), slip: { before: 0, after: 0 },
-      missed: { worst: new Float32Array(0), against: new Int32Array(0) }, coverage: new Float32Array(2), ask: [], enough: { have: 0, want: 0 }, starters: 0,
-      sourceContacts: new Uint8Array(6), milliseconds: 1,
+      frames: 2,
+      controls: Float32Array.from({ length: 6 * C }, (_, i) => i),
+      contacts: Uint8Array.from([1, 0, 1, 1, 1, 0]),
+      flights: [[0, 1]],
+      yaw: new Float32Array(2),
+      travel: new Float32Array(4),
+      slip: { before: 0, after: 0 },
+      missed: { worst: new Float32Array(0), against: new Int32Array(0) },
+      coverage: new Float32Array(2),
+      ask: [],
+      enough: { have: 0, want: 0 },
+      starters: 0,
+      sourceContacts: new Uint8Array(6),
+      milliseconds: 1,
     },
     frames: [frame, frame],
   });
@@ -69,6 +91,9 @@ it("the page's track has exactly the fields that are written", async () => {
   const s = track.units.metresPerUnit;
   expect(track.controls[0][1]).toEqual([5, 4 + 0.5, -3 + 2].map((x) => expect.closeTo(x / s, 5)));
   expect(track.root[0]).toEqual([0, 0.5 / s, 2 / s, Math.PI / 2]);
-  expect(track.contacts.labels).toEqual([[1, 0, 1], [1, 1, 0]]);
+  expect(track.contacts.labels).toEqual([
+    [1, 0, 1],
+    [1, 1, 0],
+  ]);
   expect(track.contacts.runs).toEqual([[[0, 2]], [[1, 2]], [[0, 1]]]);
 });

@@ -8,7 +8,7 @@ import type { ProjectDocument } from "../../src/document/types";
 
 const project: ProjectDocument = {
   version: 1,
-  name: "Cow \"walk\"\n[ 1, 2 ]",
+  name: 'Cow "walk"\n[ 1, 2 ]',
   mesh: { file: "cow.obj", facing: "+x", up: "+y" },
   motion: { files: ["02.asf", "02_01.amc"] },
   points: [
@@ -25,7 +25,13 @@ const project: ProjectDocument = {
         { id: "n1", point: "p1", frame: 30, kind: "place", position: [1, 0, 2] },
         { id: "n2", point: "p1", frame: 31, kind: "still" },
       ],
-      contacts: { p1: [[0, 14], [40, 61]], p2: [] },
+      contacts: {
+        p1: [
+          [0, 14],
+          [40, 61],
+        ],
+        p2: [],
+      },
       flights: [[70, 82]],
     },
   },
@@ -66,7 +72,12 @@ describe("project files", () => {
   it("get defaults where they say nothing", () => {
     const text = JSON.stringify({ version: 1, mesh: { file: "a.obj" }, motion: { files: ["a.bvh"] }, points: [], settings: { volume: 2 } });
     expect(parseProject(text, "a.json").document).toEqual({
-      version: 1, name: "", mesh: { file: "a.obj", facing: "+z", up: "+y" }, motion: { files: ["a.bvh"] }, points: [], examples: [],
+      version: 1,
+      name: "",
+      mesh: { file: "a.obj", facing: "+z", up: "+y" },
+      motion: { files: ["a.bvh"] },
+      points: [],
+      examples: [],
       settings: { volume: 2, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true },
     });
   });
@@ -85,11 +96,23 @@ describe("project files", () => {
     ["examples[1].source.frame should be a whole number from 0 to 1000000000, but it is 1.5.", ["examples", 1, "source", "frame"], 1.5],
     ['clips["02_01.amc"].pins[1].id is "n2", which another pin has already.', ["clips", "02_01.amc", "pins", 0, "id"], "n2"],
     ['clips["02_01.amc"].pins[1] holds "tail", but no point has this id.', ["clips", "02_01.amc", "pins", 1, "point"], "tail"],
-    ['clips["02_01.amc"].pins[0].position is missing: a pin of kind "place" says where.', ["clips", "02_01.amc", "pins", 0, "position"], undefined],
-    ['clips["02_01.amc"].pins[1].frame is 0, but no frame comes before it in which its point could stand.', ["clips", "02_01.amc", "pins", 1, "frame"], 0],
+    [
+      'clips["02_01.amc"].pins[0].position is missing: a pin of kind "place" says where.',
+      ["clips", "02_01.amc", "pins", 0, "position"],
+      undefined,
+    ],
+    [
+      'clips["02_01.amc"].pins[1].frame is 0, but no frame comes before it in which its point could stand.',
+      ["clips", "02_01.amc", "pins", 1, "frame"],
+      0,
+    ],
     ['clips["02_01.amc"].pins[0].kind should be place or still, but it is "glue".', ["clips", "02_01.amc", "pins", 0, "kind"], "glue"],
     ['clips["02_01.amc"].contacts names "tail", but no point has this id.', ["clips", "02_01.amc", "contacts", "tail"], [[0, 1]]],
-    ['clips["02_01.amc"].contacts.p1 has a run from 9 to 9, but it should end after it begins.', ["clips", "02_01.amc", "contacts", "p1"], [[9, 9]]],
+    [
+      'clips["02_01.amc"].contacts.p1 has a run from 9 to 9, but it should end after it begins.',
+      ["clips", "02_01.amc", "contacts", "p1"],
+      [[9, 9]],
+    ],
     ['clips["02_01.amc"].flights[0] should be two whole numbers, but it has 3.', ["clips", "02_01.amc", "flights", 0], [1, 2, 3]],
     ['mesh.facing should be +x, -x, +y, -y, +z or -z, but it is "north".', ["mesh", "facing"], "north"],
     ["mesh.file is missing.", ["mesh", "file"], undefined],
@@ -153,9 +176,24 @@ describe("the schema", () => {
     expect(accepts(project)).toBe(true);
     const values = [null, true, -1, 0, 0.5, 2, 1e13, "", "+x", "text", [], [1, 2, 3], [1, null, 3], {}, { a: [1, 2, 3] }];
     const paths: Path[] = [
-      ["version"], ["name"], ["mesh"], ["mesh", "file"], ["mesh", "up"], ["mesh", "more"], ["motion", "files"],
-      ["points", 0, "position"], ["points", 0, "joint"], ["points", 1, "radius"], ["points", 1, "mirror"], ["examples"], ["examples", 0, "source"],
-      ["examples", 0, "source", "frame"], ["examples", 0, "joints"], ["examples", 0, "joints", "root"], ["settings"], ["settings", "inPlace"],
+      ["version"],
+      ["name"],
+      ["mesh"],
+      ["mesh", "file"],
+      ["mesh", "up"],
+      ["mesh", "more"],
+      ["motion", "files"],
+      ["points", 0, "position"],
+      ["points", 0, "joint"],
+      ["points", 1, "radius"],
+      ["points", 1, "mirror"],
+      ["examples"],
+      ["examples", 0, "source"],
+      ["examples", 0, "source", "frame"],
+      ["examples", 0, "joints"],
+      ["examples", 0, "joints", "root"],
+      ["settings"],
+      ["settings", "inPlace"],
     ];
     for (const path of paths) {
       for (const value of values) {

@@ -16,7 +16,7 @@ describe("the stage", () => {
 
   it.each(pairs)("facing %s, up %s: stands in the middle, 1.7 m, looking along +z", (facing, up) => {
     const stage = stageOf(bounds, facing, up);
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((n) => [0, 1, 2].map((k) => (n >> k & 1 ? bounds.max : bounds.min)[k]));
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((n) => [0, 1, 2].map((k) => ((n >> k) & 1 ? bounds.max : bounds.min)[k]));
     const { min, max } = boundsOf(toStage(stage, corners));
     expect(min[1]).toBeCloseTo(0, 6);
     expect(min[0] + max[0]).toBeCloseTo(0, 6);

@@ -1,8 +1,20 @@
 import { expect, it } from "vitest";
 
 import {
-  addExample, addPoint, freeId, newDocument, pairMirror, pairPoint, removeExample, removePoint, renamePoint, renameProject,
-  setMesh, setMotion, setSettings, turnMesh,
+  addExample,
+  addPoint,
+  freeId,
+  newDocument,
+  pairMirror,
+  pairPoint,
+  removeExample,
+  removePoint,
+  renamePoint,
+  renameProject,
+  setMesh,
+  setMotion,
+  setSettings,
+  turnMesh,
 } from "../../src/document/commands";
 import { clipOf, merged, removePin, setContacts, setFlights, setPin } from "../../src/document/clips";
 import { type Command, DocumentStore } from "../../src/document/store";
@@ -97,8 +109,14 @@ it("what changes nothing is no step", () => {
   let calls = 0;
   store.subscribe(() => calls++);
   const nothing = [
-    renameProject("bean"), renamePoint("p1", "top"), renamePoint("nobody", "x"), pairPoint("p1", "head"), removePoint("nobody"),
-    removeExample("nobody"), setSettings({ volume: 1 }), addPoint({ ...start.points[0], name: "again" }),
+    renameProject("bean"),
+    renamePoint("p1", "top"),
+    renamePoint("nobody", "x"),
+    pairPoint("p1", "head"),
+    removePoint("nobody"),
+    removeExample("nobody"),
+    setSettings({ volume: 1 }),
+    addPoint({ ...start.points[0], name: "again" }),
     turnMesh("+z", "+y"),
   ];
   for (const command of nothing) store.apply(command);
@@ -128,7 +146,12 @@ it("listeners hear each change once, with what was before, until they end it", (
   store.replace(start);
   end();
   store.apply(renameProject("b"));
-  expect(heard).toEqual([["bean", "a"], ["a", "bean"], ["bean", "a"], ["a", "bean"]]);
+  expect(heard).toEqual([
+    ["bean", "a"],
+    ["a", "bean"],
+    ["bean", "a"],
+    ["a", "bean"],
+  ]);
 });
 
 it("another project cannot be undone into the old one", () => {
@@ -146,14 +169,33 @@ it("a free id is one that nobody has", () => {
 it("pins replace each other at one frame, runs that touch become one, and a point that goes is forgotten everywhere", () => {
   const pin = { id: "n1", point: "p1", frame: 4, kind: "place", position: [0, 2, 0] } as const;
   const commands = [
-    pairMirror("p1", "p2"), setPin(pin), setPin({ ...pin, id: "n2", position: [0, 3, 0] }), setPin({ id: "n3", point: "p2", frame: 2, kind: "still" }),
-    setContacts("p1", [[5, 9], [0, 5], [20, 30]]), setContacts("p2", []), setFlights([[10, 20]]),
+    pairMirror("p1", "p2"),
+    setPin(pin),
+    setPin({ ...pin, id: "n2", position: [0, 3, 0] }),
+    setPin({ id: "n3", point: "p2", frame: 2, kind: "still" }),
+    setContacts("p1", [
+      [5, 9],
+      [0, 5],
+      [20, 30],
+    ]),
+    setContacts("p2", []),
+    setFlights([[10, 20]]),
   ];
   const said = commands.reduce((document, command) => command(document), start);
   expect(said.points.map(({ mirror }) => mirror)).toEqual(["p2", "p1"]);
   expect(clipOf(said)).toEqual({
-    pins: [{ id: "n3", point: "p2", frame: 2, kind: "still" }, { ...pin, id: "n2", position: [0, 3, 0] }],
-    contacts: { p1: [[0, 9], [20, 30]], p2: [] }, flights: [[10, 20]],
+    pins: [
+      { id: "n3", point: "p2", frame: 2, kind: "still" },
+      { ...pin, id: "n2", position: [0, 3, 0] },
+    ],
+    contacts: {
+      p1: [
+        [0, 9],
+        [20, 30],
+      ],
+      p2: [],
+    },
+    flights: [[10, 20]],
   });
   expect(clipOf({ ...said, motion: { files: ["other.bvh"] } })).toEqual({});
   expect(clipOf({ ...said, motion: { files: ["folder/a.bvh"] } })).toBe(clipOf(said));
@@ -163,5 +205,11 @@ it("pins replace each other at one frame, runs that touch become one, and a poin
   const motions = [setContacts("p2", null), setFlights(null), removePin("n3")].reduce((document, command) => command(document), gone);
   expect(clipOf(motions)).toEqual({ pins: [], contacts: {} });
   expect(removePin("n3")(motions)).toBe(motions);
-  expect(merged([[3, 4], [1, 1], [4, 6]])).toEqual([[3, 6]]);
+  expect(
+    merged([
+      [3, 4],
+      [1, 1],
+      [4, 6],
+    ]),
+  ).toEqual([[3, 6]]);
 });

@@ -17,13 +17,14 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-const input: RetargetInput = {
-  pairs: Int32Array.of(-1, 1), examples: [], smoothness: 0.3, volume: 1, groundContact: true, inPlace: false,
-};
+const input: RetargetInput = { pairs: Int32Array.of(-1, 1), examples: [], smoothness: 0.3, volume: 1, groundContact: true, inPlace: false };
 
 /** The error that a call ends with. */
 async function refusal(call: Promise<unknown>): Promise<EngineError> {
-  const error = await call.then(() => null, (reason: unknown) => reason);
+  const error = await call.then(
+    () => null,
+    (reason: unknown) => reason,
+  );
   expect(error).toBeInstanceOf(EngineError);
   return error as EngineError;
 }
@@ -55,9 +56,13 @@ describe("cancelling", () => {
     await engine.retarget(input);
     const abort = new AbortController();
     let frames = 0;
-    const call = engine.frames(Array.from({ length: 2000 }, (_, f) => f), () => {
-      if (++frames === 5) abort.abort();
-    }, { signal: abort.signal });
+    const call = engine.frames(
+      Array.from({ length: 2000 }, (_, f) => f),
+      () => {
+        if (++frames === 5) abort.abort();
+      },
+      { signal: abort.signal },
+    );
     expect((await refusal(call)).code).toBe("cancelled");
     expect(frames).toBe(5);
     await engine.frames([0], () => ++frames);
@@ -112,11 +117,17 @@ describe("what cannot be used is refused by name, and what was there stays", () 
     return motion.format === "bvh" ? motion.text : "";
   })();
   const lines = good.split("\n");
-  const asf = ":units\n  length 0.45\n:root\n  order TX TY TZ RX RY RZ\n  position 0 0 0\n  orientation 0 0 0\n:bonedata\n" +
+  const asf =
+    ":units\n  length 0.45\n:root\n  order TX TY TZ RX RY RZ\n  position 0 0 0\n  orientation 0 0 0\n:bonedata\n" +
     "  begin\n    id 1\n    name head\n    direction 0 1 0\n    length 10\n    axis 0 0 0 XYZ\n    dof rx\n  end\n" +
     ":hierarchy\n  begin\n    root head\n  end\n";
-  const acclaim = (skeleton: string, text: string): MotionInput =>
-    ({ format: "acclaim", skeletonName: "man.asf", skeleton, name: "walk.amc", text });
+  const acclaim = (skeleton: string, text: string): MotionInput => ({
+    format: "acclaim",
+    skeletonName: "man.asf",
+    skeleton,
+    name: "walk.amc",
+    text,
+  });
 
   const motions: [string, MotionInput, RegExp][] = [
     ["an empty file", bvh(" \n"), /^dance\.bvh is empty/],
@@ -126,7 +137,11 @@ describe("what cannot be used is refused by name, and what was there stays", () 
     ["a misspelt keyword", bvh(good.replace("JOINT", "JIONT")), /^dance\.bvh, line 6: this line is not/],
     ["no frame", bvh(lines.slice(0, 18).join("\n")), /^dance\.bvh has no whole frame/],
     ["a skeleton that is none", acclaim("hello", "1\nroot 0 0 0 0 0 0\n"), /^man\.asf is not an ASF skeleton/],
-    ["a bone that the skeleton has not", acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\ntail 4\n"), /^walk\.amc, line 4: this bone is not in the skeleton/],
+    [
+      "a bone that the skeleton has not",
+      acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\ntail 4\n"),
+      /^walk\.amc, line 4: this bone is not in the skeleton/,
+    ],
     ["a bad value in a motion", acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\nhead x\n"), /^walk\.amc, line 4: a number/],
   ];
   test.each(motions)("%s", async (_, motion, message) => {
@@ -155,11 +170,25 @@ describe("what cannot be used is refused by name, and what was there stays", () 
   test("controls", async () => {
     const mesh = await setUpPost(engine);
     expect(await refusal(engine.setControls([]))).toMatchObject({ code: "bad_controls" });
-    const outside = await refusal(engine.setControls([{ vertex: 0, radius: 0 }, { vertex: 5000, radius: 0 }]));
+    const outside = await refusal(
+      engine.setControls([
+        { vertex: 0, radius: 0 },
+        { vertex: 5000, radius: 0 },
+      ]),
+    );
     expect([outside.code, outside.message]).toEqual(["bad_controls", expect.stringMatching(/^Control 2 /)]);
     const targets = restControls(mesh, postControls(mesh));
     expect((await refusal(engine.drag(targets.slice(3), { volume: 1 }))).code).toBe("bad_controls");
-    expect((await refusal(engine.drag(targets.map(() => NaN), { volume: 1 }))).code).toBe("bad_controls");
+    expect(
+      (
+        await refusal(
+          engine.drag(
+            targets.map(() => NaN),
+            { volume: 1 },
+          ),
+        )
+      ).code,
+    ).toBe("bad_controls");
     expect((await engine.drag(targets, { volume: 1 })).positions.every(Number.isFinite)).toBe(true);
   });
 
@@ -202,7 +231,10 @@ describe("what cannot be used is refused by name, and what was there stays", () 
   test("the core's errors have the names of status.h", () => {
     const header = readFileSync(new URL("../../../include/rigless/math/status.h", import.meta.url), "utf8");
     const body = /enum class Error[^{]*\{([^}]*)\}/.exec(header)?.[1] ?? "";
-    const names = body.replaceAll(/\/\/.*/g, "").split(",").map((name) => name.replace(/=.*/, "").trim());
+    const names = body
+      .replaceAll(/\/\/.*/g, "")
+      .split(",")
+      .map((name) => name.replace(/=.*/, "").trim());
     expect(CORE_ERRORS).toEqual(names.filter((name) => name !== ""));
   });
 });
@@ -212,7 +244,9 @@ describe("an engine that is gone", () => {
     engine.close();
     const memories: WebAssembly.Memory[] = [];
     const instantiate = WebAssembly.instantiate.bind(WebAssembly) as (
-      bytes: BufferSource, imports?: WebAssembly.Imports) => Promise<WebAssembly.WebAssemblyInstantiatedSource>;
+      bytes: BufferSource,
+      imports?: WebAssembly.Imports,
+    ) => Promise<WebAssembly.WebAssemblyInstantiatedSource>;
     vi.spyOn(WebAssembly, "instantiate").mockImplementation((async (bytes: BufferSource, imports?: WebAssembly.Imports) => {
       const source = await instantiate(bytes, imports);
       memories.push(source.instance.exports["memory"] as WebAssembly.Memory);

@@ -17,7 +17,13 @@ describe("a mesh", () => {
   test("is reported on", async () => {
     const report = await engine.setMesh(post());
     expect(report).toMatchObject({
-      vertices: 74, faces: 144, boundaryEdges: 0, nonManifoldEdges: 0, shells: 1, isolatedVertices: 0, degenerateFaces: 0,
+      vertices: 74,
+      faces: 144,
+      boundaryEdges: 0,
+      nonManifoldEdges: 0,
+      shells: 1,
+      isolatedVertices: 0,
+      degenerateFaces: 0,
     });
     expect(report.volume).toBeCloseTo(1.6 * 2 * Math.SQRT2 * 0.2 * 0.2, 5);
   });
@@ -28,11 +34,22 @@ describe("a mesh", () => {
     const report = await engine.setMesh(mesh);
     expect(report.volume).toBeNull();
     expect(report.boundaryEdges).toBe(16);
-    const controls = [{ vertex: 0, radius: 0 }, { vertex: 70, radius: 0 }];
+    const controls = [
+      { vertex: 0, radius: 0 },
+      { vertex: 70, radius: 0 },
+    ];
     await engine.setControls(controls);
-    const frame = await engine.drag(restControls(mesh, controls).map((value) => value + 0.1), { volume: 1 });
+    const frame = await engine.drag(
+      restControls(mesh, controls).map((value) => value + 0.1),
+      { volume: 1 },
+    );
     expect(frame.volumeRatio).toBeNull();
-    expect(worst(frame.positions.slice(0, 3), positions.slice(0, 3).map((value) => value + 0.1))).toBeLessThan(1e-5);
+    expect(
+      worst(
+        frame.positions.slice(0, 3),
+        positions.slice(0, 3).map((value) => value + 0.1),
+      ),
+    ).toBeLessThan(1e-5);
   });
 });
 
@@ -99,7 +116,10 @@ describe("a drag", () => {
     const targets = restControls(mesh, controls);
     targets[3] = 0.5;
     const first = await engine.drag(targets, { volume: 1, restart: true });
-    await engine.drag(targets.map((value) => value * 1.3), { volume: 2 });
+    await engine.drag(
+      targets.map((value) => value * 1.3),
+      { volume: 2 },
+    );
     const again = await engine.drag(targets, { volume: 1, restart: true });
     expect(again.positions).toEqual(first.positions);
   });

@@ -1,12 +1,52 @@
 import { expect, test } from "vitest";
 import { jointFinder } from "../../src/engine/match-joints";
 
-const acclaim = ["root", "lhipjoint", "lfemur", "ltibia", "lfoot", "ltoes", "rfemur", "lowerback", "thorax", "lowerneck", "head",
-  "lclavicle", "lhumerus", "lradius", "lwrist", "lhand"];
-const mixamo = ["mixamorig:Hips", "mixamorig:Spine", "mixamorig:Neck", "mixamorig:Head", "mixamorig:LeftShoulder", "mixamorig:LeftArm",
-  "mixamorig:LeftForeArm", "mixamorig:LeftHand", "mixamorig:LeftUpLeg", "mixamorig:LeftLeg", "mixamorig:LeftFoot",
-  "mixamorig:LeftToeBase", "mixamorig:RightLeg"];
-const cmu = ["Hips", "Chest", "LeftCollar", "LeftShoulder", "LeftElbow", "LeftWrist", "LeftHip", "LeftKnee", "LeftAnkle", "LeftToe", "Head"];
+const acclaim = [
+  "root",
+  "lhipjoint",
+  "lfemur",
+  "ltibia",
+  "lfoot",
+  "ltoes",
+  "rfemur",
+  "lowerback",
+  "thorax",
+  "lowerneck",
+  "head",
+  "lclavicle",
+  "lhumerus",
+  "lradius",
+  "lwrist",
+  "lhand",
+];
+const mixamo = [
+  "mixamorig:Hips",
+  "mixamorig:Spine",
+  "mixamorig:Neck",
+  "mixamorig:Head",
+  "mixamorig:LeftShoulder",
+  "mixamorig:LeftArm",
+  "mixamorig:LeftForeArm",
+  "mixamorig:LeftHand",
+  "mixamorig:LeftUpLeg",
+  "mixamorig:LeftLeg",
+  "mixamorig:LeftFoot",
+  "mixamorig:LeftToeBase",
+  "mixamorig:RightLeg",
+];
+const cmu = [
+  "Hips",
+  "Chest",
+  "LeftCollar",
+  "LeftShoulder",
+  "LeftElbow",
+  "LeftWrist",
+  "LeftHip",
+  "LeftKnee",
+  "LeftAnkle",
+  "LeftToe",
+  "Head",
+];
 
 const found = (to: string[], from: string[], name: string) => to[jointFinder(to)(name, from)] ?? "";
 

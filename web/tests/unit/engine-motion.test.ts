@@ -3,9 +3,7 @@
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import { createNodeEngine } from "../../src/engine/node";
 import type { Engine, Frame, Motion, RetargetInput } from "../../src/engine/types";
-import {
-  golden, hasShared, nod, restControls, setUpPost, sharedText, spot, spotControls, spotJoints, walk02,
-} from "./engine-support";
+import { golden, hasShared, nod, restControls, setUpPost, sharedText, spot, spotControls, spotJoints, walk02 } from "./engine-support";
 
 let engine: Engine;
 beforeEach(async () => {
@@ -83,10 +81,14 @@ describe.skipIf(!hasShared)("a motion file", () => {
     const { joints } = await engine.setMotion(walk02());
     const pairs = Int32Array.from(spotJoints, (name) => joints.findIndex((joint) => joint.name === name));
     const performance = await engine.retarget({ ...settings, pairs });
-    const { motions } = golden<{ motions: { subject: number; trial: number; left_contact_runs: [number, number][];
-      right_contact_runs: [number, number][] }[] }>("contacts");
+    const { motions } = golden<{
+      motions: { subject: number; trial: number; left_contact_runs: [number, number][]; right_contact_runs: [number, number][] }[];
+    }>("contacts");
     const walk = motions.find(({ subject, trial }) => subject === 2 && trial === 1);
-    const feet = [[1, walk?.left_contact_runs], [0, walk?.right_contact_runs]] as const;
+    const feet = [
+      [1, walk?.left_contact_runs],
+      [0, walk?.right_contact_runs],
+    ] as const;
     for (const [control, runs] of feet) {
       for (let f = 0; f < performance.frames; ++f) {
         const near = runs?.some((run) => run.some((end) => Math.abs(4 * f - end) <= 8));
@@ -168,8 +170,14 @@ describe("a frame", () => {
     const mesh = await setUpPost(engine);
     await engine.retarget({ ...settings, pairs: Int32Array.of(-1, 1) });
     const played = new Map<number, Frame>();
-    await engine.frames(Array.from({ length: 20 }, (_, f) => f), (frame, result) => played.set(frame, result));
-    const targets = restControls(mesh, [{ vertex: 72, radius: 0 }, { vertex: 73, radius: 0 }]).map((value) => value * 1.2);
+    await engine.frames(
+      Array.from({ length: 20 }, (_, f) => f),
+      (frame, result) => played.set(frame, result),
+    );
+    const targets = restControls(mesh, [
+      { vertex: 72, radius: 0 },
+      { vertex: 73, radius: 0 },
+    ]).map((value) => value * 1.2);
     await engine.drag(targets, { volume: 3 });
     await engine.frames([19, 3, 11], (frame, result) => {
       expect(result.positions).toEqual(played.get(frame)?.positions);
@@ -180,7 +188,10 @@ describe("a frame", () => {
   test("does not disturb the drag that goes on", async () => {
     const mesh = await setUpPost(engine);
     await engine.retarget({ ...settings, pairs: Int32Array.of(-1, 1) });
-    const targets = restControls(mesh, [{ vertex: 72, radius: 0 }, { vertex: 73, radius: 0 }]);
+    const targets = restControls(mesh, [
+      { vertex: 72, radius: 0 },
+      { vertex: 73, radius: 0 },
+    ]);
     targets[3] = 0.4;
     await engine.drag(targets, { volume: 1, restart: true });
     const straight = await engine.drag(targets, { volume: 1 });

@@ -34,8 +34,14 @@ export function spot(): MeshInput {
 
 /** Hooves, muzzle, horns and rump, and the joints of a CMU skeleton that drive them. */
 const SPOT_PLACES: [number, number, number, string][] = [
-  [0.22, 0.06, 0.15, "rfoot"], [-0.22, 0.06, 0.15, "lfoot"], [0.2, 0.06, -0.6, "lfoot"], [-0.2, 0.06, -0.6, "rfoot"],
-  [0, 1.04, 0.86, "head"], [0.18, 1.7, 0.45, "lhand"], [-0.18, 1.7, 0.45, "rhand"], [0, 0.66, -0.86, ""],
+  [0.22, 0.06, 0.15, "rfoot"],
+  [-0.22, 0.06, 0.15, "lfoot"],
+  [0.2, 0.06, -0.6, "lfoot"],
+  [-0.2, 0.06, -0.6, "rfoot"],
+  [0, 1.04, 0.86, "head"],
+  [0.18, 1.7, 0.45, "lhand"],
+  [-0.18, 1.7, 0.45, "rhand"],
+  [0, 0.66, -0.86, ""],
 ];
 
 export const spotJoints = SPOT_PLACES.map((place) => place[3]);
@@ -45,8 +51,7 @@ export function spotControls(mesh: MeshInput): ControlInput[] {
 }
 
 function nearestVertex({ positions }: MeshInput, x: number, y: number, z: number): number {
-  const distance = (v: number) =>
-    Math.hypot((positions[3 * v] ?? 0) - x, (positions[3 * v + 1] ?? 0) - y, (positions[3 * v + 2] ?? 0) - z);
+  const distance = (v: number) => Math.hypot((positions[3 * v] ?? 0) - x, (positions[3 * v + 1] ?? 0) - y, (positions[3 * v + 2] ?? 0) - z);
   let nearest = 0;
   for (let v = 1; v < positions.length / 3; ++v) if (distance(v) < distance(nearest)) nearest = v;
   return nearest;
@@ -54,8 +59,10 @@ function nearestVertex({ positions }: MeshInput, x: number, y: number, z: number
 
 export const walk02 = (): MotionInput => ({
   format: "acclaim",
-  skeletonName: "02.asf", skeleton: sharedText("motions/02.asf"),
-  name: "02_01.amc", text: sharedText("motions/02_01.amc"),
+  skeletonName: "02.asf",
+  skeleton: sharedText("motions/02.asf"),
+  name: "02_01.amc",
+  text: sharedText("motions/02_01.amc"),
 });
 
 /** C x 3 positions of the controls at rest. */
@@ -90,7 +97,10 @@ export function post(rings = 9): MeshInput {
 /** Its two ends. */
 export const postControls = (mesh: MeshInput): ControlInput[] => {
   const last = mesh.positions.length / 3 - 1;
-  return [{ vertex: last - 1, radius: 0.1 }, { vertex: last, radius: 0.1 }];
+  return [
+    { vertex: last - 1, radius: 0.1 },
+    { vertex: last, radius: 0.1 },
+  ];
 };
 
 const BVH_HEAD = `HIERARCHY
@@ -113,11 +123,11 @@ MOTION
 
 /** Nods and bobs at 30 fps. */
 export function nod(frames = 60): MotionInput {
-  const rows = Array.from({ length: frames }, (_, f) =>
-    `0 ${0.9 + 0.1 * Math.sin(f / 5)} 0 0 ${20 * Math.sin(f / 5)} 0 0 ${30 * Math.sin(f / 7)} 0`);
-  return {
-    format: "bvh", name: "nod.bvh", text: `${BVH_HEAD}Frames: ${frames}\nFrame Time: 0.0333333\n${rows.join("\n")}\n`,
-  };
+  const rows = Array.from(
+    { length: frames },
+    (_, f) => `0 ${0.9 + 0.1 * Math.sin(f / 5)} 0 0 ${20 * Math.sin(f / 5)} 0 0 ${30 * Math.sin(f / 7)} 0`,
+  );
+  return { format: "bvh", name: "nod.bvh", text: `${BVH_HEAD}Frames: ${frames}\nFrame Time: 0.0333333\n${rows.join("\n")}\n` };
 }
 
 /** A mesh, its controls and a motion, ready to retarget. */

@@ -12,8 +12,9 @@ beforeEach(async () => {
 afterEach(() => engine.close());
 
 const settings = { examples: [], smoothness: 0.3, volume: 1, groundContact: true, inPlace: false };
-const at = (controls: Float32Array, count: number, frame: number, control: number) =>
-  [...controls.subarray(3 * (frame * count + control), 3 * (frame * count + control) + 3)];
+const at = (controls: Float32Array, count: number, frame: number, control: number) => [
+  ...controls.subarray(3 * (frame * count + control), 3 * (frame * count + control) + 3),
+];
 
 describe("wishes", () => {
   const input: RetargetInput = { ...settings, pairs: Int32Array.of(0, 1) };
@@ -55,7 +56,10 @@ describe("wishes", () => {
   test("for what does not exist are refused by number", async () => {
     await setUpPost(engine);
     const refused = (wish: NonNullable<RetargetInput["constraints"]>[number]) =>
-      engine.retarget({ ...input, constraints: [wish] }).then(() => "", (error: EngineError) => error.message);
+      engine.retarget({ ...input, constraints: [wish] }).then(
+        () => "",
+        (error: EngineError) => error.message,
+      );
     expect(await refused({ kind: "still", control: 0, frame: 0 })).toContain("Wish 1");
     expect(await refused({ kind: "position", control: 2, frame: 3, value: [0, 0, 0] })).toContain("Wish 1");
     expect(await refused({ kind: "position", control: 0, frame: 60, value: [0, 0, 0] })).toContain("Wish 1");
@@ -67,9 +71,23 @@ describe("contacts and flights", () => {
   test("of the user replace those of the motion", async () => {
     await setUpPost(engine);
     const performance = await engine.retarget({
-      ...settings, pairs: Int32Array.of(-1, 1),
-      contacts: [{ control: 1, runs: [[5, 20], [50, 90]] }, { control: 0, runs: [] }],
-      flights: [[30, 45], [40, 42], [50, 51]],
+      ...settings,
+      pairs: Int32Array.of(-1, 1),
+      contacts: [
+        {
+          control: 1,
+          runs: [
+            [5, 20],
+            [50, 90],
+          ],
+        },
+        { control: 0, runs: [] },
+      ],
+      flights: [
+        [30, 45],
+        [40, 42],
+        [50, 51],
+      ],
     });
     const stands = (control: number) => Array.from({ length: 60 }, (_, f) => f).filter((f) => performance.contacts[2 * f + control]);
     expect(stands(0)).toEqual([]);

@@ -42,7 +42,8 @@ describe.skipIf(!hasShared)("models that everybody knows (skipped where ../share
     expect(wanted(u)).toEqual(limbs);
     expect(u.symmetry?.misfit).toBeLessThan(0.02);
     u.points.forEach(({ partner, side }, n) => {
-      if (partner >= 0) expect(u.points[partner]).toMatchObject({ partner: n, side: side === null ? null : side === "left" ? "right" : "left" });
+      if (partner >= 0)
+        expect(u.points[partner]).toMatchObject({ partner: n, side: side === null ? null : side === "left" ? "right" : "left" });
     });
     for (const point of u.points) if (point.wanted) expect(point.partner).toBeGreaterThanOrEqual(0);
   });
@@ -69,7 +70,9 @@ it("binds nothing and refuses what is no mesh", async () => {
   expect((await engine.understand({ positions: triangle, faces: Uint32Array.of(0, 1, 2) })).points.length).toBeGreaterThan(0);
   await expect(engine.understand({ positions: triangle, faces: Uint32Array.of(0, 1, 3) })).rejects.toMatchObject({ code: "bad_mesh" });
   await expect(engine.understand({ positions: triangle, faces: new Uint32Array(0) })).rejects.toMatchObject({ code: "bad_mesh" });
-  await expect(engine.understand({ positions: triangle.with(4, NaN), faces: Uint32Array.of(0, 1, 2) })).rejects.toMatchObject({ code: "bad_mesh" });
+  await expect(engine.understand({ positions: triangle.with(4, NaN), faces: Uint32Array.of(0, 1, 2) })).rejects.toMatchObject({
+    code: "bad_mesh",
+  });
   const aborted = AbortSignal.abort();
   await expect(engine.understand(post(), { signal: aborted })).rejects.toMatchObject({ code: "cancelled" });
 });

@@ -29,7 +29,13 @@ function refusal(act: () => unknown): string {
 
 describe("motions among files", () => {
   it("pairs ASF and AMC in either order, each AMC with the skeleton of its name", () => {
-    const files = [textFile("07_05.amc", AMC), textFile("02.asf", ASF), textFile("a/02_01.amc", AMC), textFile("07.asf", ASF), textFile("hop.bvh", BVH)];
+    const files = [
+      textFile("07_05.amc", AMC),
+      textFile("02.asf", ASF),
+      textFile("a/02_01.amc", AMC),
+      textFile("07.asf", ASF),
+      textFile("hop.bvh", BVH),
+    ];
     const { motions, problems } = findMotions(files);
     expect(problems).toEqual([]);
     expect(motions.map((motion) => motion.files)).toEqual([["07.asf", "07_05.amc"], ["02.asf", "a/02_01.amc"], ["hop.bvh"]]);
@@ -46,8 +52,12 @@ describe("motions among files", () => {
 
   it("goes by what a file says before its name, and reads UTF-16", () => {
     const wide = Uint8Array.from([0xff, 0xfe, ...[...BVH].flatMap((letter) => [letter.charCodeAt(0), 0])]);
-    expect(findMotions([textFile("hop.txt", BVH), { name: "wide.bvh", bytes: wide }]).motions.map(({ input }) => [input.format, input.text]))
-      .toEqual([["bvh", BVH], ["bvh", BVH]]);
+    expect(
+      findMotions([textFile("hop.txt", BVH), { name: "wide.bvh", bytes: wide }]).motions.map(({ input }) => [input.format, input.text]),
+    ).toEqual([
+      ["bvh", BVH],
+      ["bvh", BVH],
+    ]);
     expect(decodeText(new TextEncoder().encode("\ufeffhé"))).toBe("hé");
   });
 });
@@ -56,8 +66,12 @@ describe("one drop of many files", () => {
   it("is sorted, and what is unknown is named", () => {
     const inner = zipSync({ "dance/hop.bvh": new TextEncoder().encode(BVH), "__MACOSX/x": PNG, "dance/.DS_Store": PNG });
     const sorted = sortFiles([
-      textFile("cow.obj", TETRAHEDRON), { name: "cow.png", bytes: PNG }, textFile("cow.mtl", ""), { name: "hop.zip", bytes: inner },
-      textFile("letter.docx", "hello"), textFile("02_01.amc", AMC),
+      textFile("cow.obj", TETRAHEDRON),
+      { name: "cow.png", bytes: PNG },
+      textFile("cow.mtl", ""),
+      { name: "hop.zip", bytes: inner },
+      textFile("letter.docx", "hello"),
+      textFile("02_01.amc", AMC),
     ]);
     expect(sorted.project).toBeNull();
     expect(sorted.models.map((file) => file.name)).toEqual(["cow.obj"]);
@@ -91,14 +105,23 @@ describe("project files", () => {
   });
 
   it("opens project.json among its files, in a folder too", () => {
-    const loose = [textFile("a/project.json", serializeProject(document)), ...files.map(({ name, bytes }) => ({ name: `a/${name}`, bytes }))];
+    const loose = [
+      textFile("a/project.json", serializeProject(document)),
+      ...files.map(({ name, bytes }) => ({ name: `a/${name}`, bytes })),
+    ];
     expect(openProject(loose).modelFiles[0].name).toBe("a/cow.obj");
   });
 
   it("never names a file outside itself", () => {
     const outside = { ...document, mesh: { ...document.mesh, file: "../models/cow.obj" } };
     const saved = saveProject(outside, [{ ...files[0], name: "../models/cow.obj" }, ...files.slice(1)]);
-    expect(unzip({ name: "x.rigless", bytes: saved }).map((file) => file.name)).toEqual(["project.json", "models/cow.obj", "02.asf", "02_01.amc", "cow.png"]);
+    expect(unzip({ name: "x.rigless", bytes: saved }).map((file) => file.name)).toEqual([
+      "project.json",
+      "models/cow.obj",
+      "02.asf",
+      "02_01.amc",
+      "cow.png",
+    ]);
     expect(openProject([{ name: "x.rigless", bytes: saved }]).document.mesh.file).toBe("models/cow.obj");
   });
 
@@ -108,7 +131,9 @@ describe("project files", () => {
     expect(refusal(() => openProject([json, files[0], files[1]]))).toBe("project.json names 02_01.amc, which is not with it.");
     expect(refusal(() => openProject([files[0]]))).toBe("cow.obj holds no project.json.");
     const noModel = textFile("project.json", serializeProject({ ...document, mesh: { ...document.mesh, file: "02.asf" } }));
-    expect(refusal(() => openProject([noModel, ...files]))).toBe("project.json names 02.asf, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).");
+    expect(refusal(() => openProject([noModel, ...files]))).toBe(
+      "project.json names 02.asf, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).",
+    );
     const two = textFile("project.json", serializeProject({ ...document, motion: { files: ["02.asf"] } }));
     expect(refusal(() => openProject([two, ...files]))).toBe("project.json: 02.asf is a skeleton without a motion: drop an .amc with it.");
   });
@@ -129,7 +154,9 @@ describe("zips from strangers", () => {
     view.setUint32(central + 24, 10, true); // a lie: no more than that is written
     expect(unzip({ name: "bomb.zip", bytes: bomb })[0].bytes.length).toBe(10);
     const many = zipSync(Object.fromEntries(Array.from({ length: 1001 }, (_, n) => [`${n}.obj`, new Uint8Array(0)])));
-    expect(refusal(() => unzip({ name: "many.zip", bytes: many }))).toBe("many.zip would unpack to more than 1,000 files. We did not open it.");
+    expect(refusal(() => unzip({ name: "many.zip", bytes: many }))).toBe(
+      "many.zip would unpack to more than 1,000 files. We did not open it.",
+    );
   });
 
   it("one that is cut short is named", () => {

@@ -13,7 +13,10 @@ function triangle(mode: number = Primitive.Mode.TRIANGLES, positions = TRIANGLE)
   const buffer = document.createBuffer();
   const floats = (array: number[], type: "VEC2" | "VEC3" | "VEC4" | "MAT4" = "VEC3") =>
     document.createAccessor().setType(type).setArray(new Float32Array(array)).setBuffer(buffer);
-  const primitive = document.createPrimitive().setMode(mode as 4).setAttribute("POSITION", floats(positions));
+  const primitive = document
+    .createPrimitive()
+    .setMode(mode as 4)
+    .setAttribute("POSITION", floats(positions));
   const mesh = document.createMesh("m").addPrimitive(primitive);
   const node = document.createNode("n").setMesh(mesh);
   const scene = document.createScene().addChild(node);
@@ -25,7 +28,10 @@ async function glb(document: Document, name = "t.glb"): Promise<NamedFile> {
 }
 
 async function refusal(...files: NamedFile[]): Promise<string> {
-  const error: unknown = await readModel(files).then(() => null, (caught: unknown) => caught);
+  const error: unknown = await readModel(files).then(
+    () => null,
+    (caught: unknown) => caught,
+  );
   expect(error).toBeInstanceOf(ModelError);
   return (error as ModelError).message;
 }
@@ -34,7 +40,10 @@ describe("GLB", () => {
   it("applies the nodes' transforms and joins all meshes", async () => {
     const { document, node, mesh, scene } = triangle();
     node.setTranslation([10, 0, 0]).setScale([2, 2, 2]);
-    const parent = document.createNode().setRotation([0, 0, Math.SQRT1_2, Math.SQRT1_2]).addChild(document.createNode().setMesh(mesh).setTranslation([0, 5, 0]));
+    const parent = document
+      .createNode()
+      .setRotation([0, 0, Math.SQRT1_2, Math.SQRT1_2])
+      .addChild(document.createNode().setMesh(mesh).setTranslation([0, 5, 0]));
     scene.addChild(parent);
     const model = await readModel([await glb(document)]);
     const close = (values: number[]) => values.map((x) => expect.closeTo(x, 5));
@@ -57,8 +66,13 @@ describe("GLB", () => {
 
   it("keeps the picture, its places, colours and the seam", async () => {
     const { document, primitive, floats } = triangle(4, [...TRIANGLE, ...TRIANGLE.slice(3), 1, 1, 0]);
-    primitive.setAttribute("TEXCOORD_0", floats([0, 0, 1, 0, 0, 1, 0.5, 0, 0, 1, 1, 1], "VEC2")).setAttribute("COLOR_0", floats(Array(18).fill(0.5)));
-    const texture = document.createTexture("skin").setImage(PNG as Uint8Array<ArrayBuffer>).setMimeType("image/png");
+    primitive
+      .setAttribute("TEXCOORD_0", floats([0, 0, 1, 0, 0, 1, 0.5, 0, 0, 1, 1, 1], "VEC2"))
+      .setAttribute("COLOR_0", floats(Array(18).fill(0.5)));
+    const texture = document
+      .createTexture("skin")
+      .setImage(PNG as Uint8Array<ArrayBuffer>)
+      .setMimeType("image/png");
     primitive.setMaterial(document.createMaterial().setBaseColorTexture(texture).setBaseColorFactor([1, 0.5, 0, 1]));
     const model = await readModel([await glb(document)]);
     expect(model.positions.length / 3).toBe(4);
@@ -97,7 +111,9 @@ describe("GLB", () => {
   it("says what is there instead of triangles", async () => {
     const { document } = triangle(Primitive.Mode.LINES, TRIANGLE);
     document.createCamera().setType("perspective");
-    expect(await refusal(await glb(document, "curves.glb"))).toBe("curves.glb has no triangles. It holds 1 set of lines or points and 1 camera.");
+    expect(await refusal(await glb(document, "curves.glb"))).toBe(
+      "curves.glb has no triangles. It holds 1 set of lines or points and 1 camera.",
+    );
   });
 
   it.each([5, 16, 40, 200])("refuses one that is cut %d bytes before its end", async (cut) => {
@@ -106,9 +122,14 @@ describe("GLB", () => {
   });
 
   it("refuses compressed ones in words", async () => {
-    const json = { asset: { version: "2.0" }, extensionsRequired: ["KHR_draco_mesh_compression"], extensionsUsed: ["KHR_draco_mesh_compression"] };
+    const json = {
+      asset: { version: "2.0" },
+      extensionsRequired: ["KHR_draco_mesh_compression"],
+      extensionsUsed: ["KHR_draco_mesh_compression"],
+    };
     expect(await refusal({ name: "small.gltf", bytes: new TextEncoder().encode(JSON.stringify(json)) })).toBe(
-      "small.gltf is compressed with Draco. Save it without compression.");
+      "small.gltf is compressed with Draco. Save it without compression.",
+    );
   });
 
   it.each([
@@ -116,7 +137,10 @@ describe("GLB", () => {
     ["{}", "x.gltf holds no glTF model."],
     ["hello", "x.gltf holds no glTF model."],
     ['{"asset":{"version":"2.0"}}', "x.gltf has no triangles."],
-    ['{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":7}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]}', "x.gltf has no triangles. It holds 1 set of lines or points."],
+    [
+      '{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":7}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]}',
+      "x.gltf has no triangles. It holds 1 set of lines or points.",
+    ],
   ])("refuses %s", async (text, message) => {
     expect(await refusal({ name: "x.gltf", bytes: new TextEncoder().encode(text) })).toBe(message);
   });
@@ -126,7 +150,11 @@ describe("glTF beside its files", () => {
   async function parts() {
     const { document, primitive, floats } = triangle();
     primitive.setAttribute("TEXCOORD_0", floats([0, 0, 1, 0, 0, 1], "VEC2"));
-    const texture = document.createTexture("skin").setImage(PNG as Uint8Array<ArrayBuffer>).setMimeType("image/png").setURI("tex/oak wood.png");
+    const texture = document
+      .createTexture("skin")
+      .setImage(PNG as Uint8Array<ArrayBuffer>)
+      .setMimeType("image/png")
+      .setURI("tex/oak wood.png");
     primitive.setMaterial(document.createMaterial().setBaseColorTexture(texture));
     document.getRoot().listBuffers()[0].setURI("data.bin");
     const { json, resources } = await new WebIO().writeJSON(document);

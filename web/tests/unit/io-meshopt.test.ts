@@ -47,6 +47,8 @@ describe("models packed by meshopt", () => {
     const { positions } = await readModel([asset("characters/dinosaur/dinosaur.glb")]);
     const at = (v: number) => positions.subarray(3 * v, 3 * v + 3);
     const places = new Set(Array.from({ length: positions.length / 3 }, (_, v) => at(v).join()));
-    expect([...places].filter((place) => !places.has(place.startsWith("-") ? place.slice(1) : place.startsWith("0,") ? place : "-" + place))).toEqual([]);
+    expect(
+      [...places].filter((place) => !places.has(place.startsWith("-") ? place.slice(1) : place.startsWith("0,") ? place : "-" + place)),
+    ).toEqual([]);
   });
 });

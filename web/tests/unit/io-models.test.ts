@@ -9,7 +9,10 @@ const read = (name: string, text: string, ...beside: Parameters<typeof readModel
 
 async function refusal(name: string, content: string | Uint8Array): Promise<string> {
   const file = typeof content === "string" ? textFile(name, content) : { name, bytes: content };
-  const error: unknown = await readModel([file]).then(() => null, (caught: unknown) => caught);
+  const error: unknown = await readModel([file]).then(
+    () => null,
+    (caught: unknown) => caught,
+  );
   expect(error).toBeInstanceOf(ModelError);
   return (error as ModelError).message;
 }
@@ -21,14 +24,23 @@ function volume({ positions: p, faces }: Model): number {
   let sum = 0;
   for (let f = 0; f < faces.length; f += 3) {
     const [a, b, c] = [3 * faces[f], 3 * faces[f + 1], 3 * faces[f + 2]];
-    sum += p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) + p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2])
-      + p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
+    sum +=
+      p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) +
+      p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2]) +
+      p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
   }
   return sum / 6;
 }
 
 const CUBE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
-const CUBE_FACES = [[1, 4, 3, 2], [5, 6, 7, 8], [1, 2, 6, 5], [2, 3, 7, 6], [3, 4, 8, 7], [4, 1, 5, 8]];
+const CUBE_FACES = [
+  [1, 4, 3, 2],
+  [5, 6, 7, 8],
+  [1, 2, 6, 5],
+  [2, 3, 7, 6],
+  [3, 4, 8, 7],
+  [4, 1, 5, 8],
+];
 
 describe("OBJ", () => {
   it("reads polygons", async () => {
@@ -43,14 +55,17 @@ describe("OBJ", () => {
   });
 
   it("keeps seams: one vertex, two places in the picture; v is turned down", async () => {
-    const model = await read("seam.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 .25\nvt .5 .5\nf 1/1 2/2 3/3\nf 1/4 3/3 4/2\n");
+    const model = await read(
+      "seam.obj",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 .25\nvt .5 .5\nf 1/1 2/2 3/3\nf 1/4 3/3 4/2\n",
+    );
     expect(sizes(model)).toEqual([4, 2, 5]);
     expect([...(model.drawn.uvs ?? [])].slice(0, 6)).toEqual([0, 1, 1, 1, 1, 0.75]);
   });
 
   it("keeps vertex colours, linear", async () => {
     const model = await read("rgb.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 .5 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
-    expect([...(model.drawn.colors ?? [])]).toEqual([1, 0, 0, 0, expect.closeTo(0.2140, 4), 0, 0, 0, 1]);
+    expect([...(model.drawn.colors ?? [])]).toEqual([1, 0, 0, 0, expect.closeTo(0.214, 4), 0, 0, 0, 1]);
   });
 
   it("takes colours and the picture from the material file beside it", async () => {
@@ -98,7 +113,7 @@ describe("OBJ", () => {
     ["\u0000\u0001\u0002binary", "bad.obj is not text, so it is no OBJ model."],
     ["v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "bad.obj has all its corners on one spot."],
     ["v 0 0 0\nv 1 0 0\nf 1 2 1\n", "bad.obj has no triangle with an area."],
-    [TETRAHEDRON.replace("v 1 0 0", "v 1e300 0 0"), "bad.obj, line 2: \"1e300\" is not a number."],
+    [TETRAHEDRON.replace("v 1 0 0", "v 1e300 0 0"), 'bad.obj, line 2: "1e300" is not a number.'],
   ])("refuses %j", async (text, message) => {
     expect(await refusal("bad.obj", text)).toBe(message);
   });
@@ -142,7 +157,13 @@ describe("PLY", () => {
     `ply\nformat ${format} 1.0\ncomment made by hand\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n` +
     "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\n" +
     "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  const rows = [[0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 2, 0], [0, 1, 0]];
+  const rows = [
+    [0, 0, 0],
+    [2, 0, 0],
+    [2, 1, 0],
+    [1, 2, 0],
+    [0, 1, 0],
+  ];
   const ascii = header("ascii") + rows.map((row) => `${row.join(" ")} 255 0 0\n`).join("") + "5 0 1 2 3 4\n0 1\n";
 
   function binary(little: boolean): Uint8Array {
@@ -184,7 +205,22 @@ describe("PLY", () => {
 });
 
 describe("STL", () => {
-  const corners = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map((f) => f.map((v) => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]][v]));
+  const corners = [
+    [0, 2, 1],
+    [0, 1, 3],
+    [0, 3, 2],
+    [1, 2, 3],
+  ].map((f) =>
+    f.map(
+      (v) =>
+        [
+          [0, 0, 0],
+          [1, 0, 0],
+          [0, 1, 0],
+          [0, 0, 1],
+        ][v],
+    ),
+  );
   const ascii = `solid t\n${corners.map((f) => `facet normal 0 0 0\nouter loop\n${f.map((v) => `vertex ${v.join(" ")}\n`).join("")}endloop\nendfacet\n`).join("")}endsolid t\n`;
 
   function binary(title: string): Uint8Array {
@@ -196,7 +232,12 @@ describe("STL", () => {
   }
 
   it("welds triangles that know nothing of each other", async () => {
-    for (const bytes of [Buffer.from(ascii), binary("by hand"), binary("solid but binary"), Buffer.concat([binary("solid"), Buffer.from("more")])]) {
+    for (const bytes of [
+      Buffer.from(ascii),
+      binary("by hand"),
+      binary("solid but binary"),
+      Buffer.concat([binary("solid"), Buffer.from("more")]),
+    ]) {
       const model = await readModel([{ name: "t.stl", bytes }]);
       expect(sizes(model)).toEqual([4, 4, 4]);
       expect(volume(model)).toBeCloseTo(1 / 6, 6);
@@ -217,7 +258,14 @@ describe("STL", () => {
     ['t.stl ends before "endsolid".', ascii.slice(0, -15)],
     ["t.stl has no triangles.", "solid nothing\nendsolid nothing\n"],
     ["t.stl holds no STL model.", "hello"],
-    ["t.stl: the place of vertex 1 is not a number.", (() => { const b = binary("nan"); new DataView(b.buffer).setFloat32(96, NaN, true); return b; })()],
+    [
+      "t.stl: the place of vertex 1 is not a number.",
+      (() => {
+        const b = binary("nan");
+        new DataView(b.buffer).setFloat32(96, NaN, true);
+        return b;
+      })(),
+    ],
   ])("%s", async (message, content) => {
     expect(await refusal("t.stl", content)).toBe(message);
   });

@@ -17,7 +17,16 @@ function wave(model: Model, frames: number): { positions: Float32Array }[] {
 }
 
 function inputOf(model: Model, frames: number, more: Partial<GlbInput> = {}): GlbInput {
-  return { name: "my  dance", drawn: model.drawn, faces: model.faces, rest: model.positions, frames: wave(model, frames), scale: 1, every: 1, ...more };
+  return {
+    name: "my  dance",
+    drawn: model.drawn,
+    faces: model.faces,
+    rest: model.positions,
+    frames: wave(model, frames),
+    scale: 1,
+    every: 1,
+    ...more,
+  };
 }
 
 async function problems(glb: Uint8Array): Promise<unknown> {
@@ -39,14 +48,24 @@ async function load(glb: Uint8Array) {
 const plain = (): Promise<Model> => readModel([textFile("t.obj", TETRAHEDRON)]);
 
 async function dressed(): Promise<Model> {
-  const model = await readModel([textFile("t.obj",
-    TETRAHEDRON.replaceAll(/(v .*)/g, "$1 1 .5 0").replace(/f.*/s, "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 1/2 4/1 3/3\nf 2/1 3/2 4/3\n"))]);
+  const model = await readModel([
+    textFile(
+      "t.obj",
+      TETRAHEDRON.replaceAll(/(v .*)/g, "$1 1 .5 0").replace(
+        /f.*/s,
+        "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 1/2 4/1 3/3\nf 2/1 3/2 4/3\n",
+      ),
+    ),
+  ]);
   model.drawn.texture = { bytes: PNG, mime: "image/png" };
   return model;
 }
 
 describe("an animated GLB", () => {
-  it.each([["plain", plain], ["with colours, seams and a picture", dressed]])("%s has no fault", async (_, make) => {
+  it.each([
+    ["plain", plain],
+    ["with colours, seams and a picture", dressed],
+  ])("%s has no fault", async (_, make) => {
     expect(await problems(await writeGlb(inputOf(await make(), 12)))).toEqual(CLEAN);
   });
 

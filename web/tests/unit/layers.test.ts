@@ -23,7 +23,10 @@ function forbidden(path: string, text: string): string[] {
   return specifiers
     .filter((specifier) => {
       if (!specifier.startsWith(".")) return layer === "engine" && !specifier.startsWith("node:");
-      const target = join(path, "..", specifier).replace(/^\.\.\//, "").split("/")[0] ?? ""; // ../assets lies beside src
+      const target =
+        join(path, "..", specifier)
+          .replace(/^\.\.\//, "")
+          .split("/")[0] ?? ""; // ../assets lies beside src
       return target !== layer && !allowed.includes(target);
     })
     .map((specifier) => `${path}: ${specifier}`);

@@ -2,7 +2,12 @@ import { expect, test } from "vitest";
 import type { Frame } from "../../src/engine/types";
 import { FrameCache } from "../../src/sync/frame-cache";
 
-const frame = (value: number): Frame => ({ positions: Float32Array.of(value, value, value), volumeRatio: 1, root: [0, 0, 0, 0], milliseconds: 1 });
+const frame = (value: number): Frame => ({
+  positions: Float32Array.of(value, value, value),
+  volumeRatio: 1,
+  root: [0, 0, 0, 0],
+  milliseconds: 1,
+});
 
 test("frames still to be made come in the order in which the playhead meets them", () => {
   const cache = new FrameCache();

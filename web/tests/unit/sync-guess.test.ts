@@ -3,16 +3,33 @@ import { describe, expect, it } from "vitest";
 import type { BodyPoint, Understanding } from "../../src/engine/types";
 import { guessPoints, guessProject } from "../../src/sync/guess";
 
-const MODEL = { positions: Float32Array.from({ length: 24 }, (_, i) => [0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 1][i % 12]), faces: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+const MODEL = {
+  positions: Float32Array.from({ length: 24 }, (_, i) => [0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 1][i % 12]),
+  faces: Uint32Array.of(0, 1, 2, 0, 2, 3),
+};
 
-const point = (role: BodyPoint["role"], side: BodyPoint["side"], partner: number, wanted = true): BodyPoint => (
-  { vertex: 1, role, side, partner, radius: 0.4, wanted });
+const point = (role: BodyPoint["role"], side: BodyPoint["side"], partner: number, wanted = true): BodyPoint => ({
+  vertex: 1,
+  role,
+  side,
+  partner,
+  radius: 0.4,
+  wanted,
+});
 
 const SAID: Understanding = {
-  up: "+y", facing: "-x", symmetry: { point: [0, 0, 0], normal: [0, 0, 1], misfit: 0.01 },
+  up: "+y",
+  facing: "-x",
+  symmetry: { point: [0, 0, 0], normal: [0, 0, 1], misfit: 0.01 },
   points: [
-    point("foot", "left", 1), point("foot", "right", 0), point("foreleg", "left", -1), point("head", null, 3), point("chest", null, 4),
-    point("tip", "left", 6, false), point("tip", "right", 5, false), point("tip", "left", -1, false),
+    point("foot", "left", 1),
+    point("foot", "right", 0),
+    point("foreleg", "left", -1),
+    point("head", null, 3),
+    point("chest", null, 4),
+    point("tip", "left", 6, false),
+    point("tip", "right", 5, false),
+    point("tip", "left", -1, false),
   ],
 };
 
@@ -23,7 +40,13 @@ describe("guessing points", () => {
     const pairs = (...names: string[]) => guessPoints(MODEL, SAID, joints(...names)).points.map((p) => p.joint);
     expect(pairs("Hips", "LeftFoot", "RightFoot", "Head")).toEqual(["Head", "RightFoot", "LeftFoot", "RightFoot", null]);
     expect(pairs("root", "lfoot", "rfoot", "head")).toEqual(["head", "rfoot", "lfoot", "rfoot", null]);
-    expect(pairs("mixamorig:LeftFoot", "mixamorig:RightFoot")).toEqual([null, "mixamorig:RightFoot", "mixamorig:LeftFoot", "mixamorig:RightFoot", null]);
+    expect(pairs("mixamorig:LeftFoot", "mixamorig:RightFoot")).toEqual([
+      null,
+      "mixamorig:RightFoot",
+      "mixamorig:LeftFoot",
+      "mixamorig:RightFoot",
+      null,
+    ]);
     expect(pairs("a", "b")).toEqual([null, null, null, null, null]);
   });
 
@@ -31,7 +54,13 @@ describe("guessing points", () => {
     const { mesh, points, more } = guessPoints(MODEL, SAID, []);
     expect(mesh).toEqual({ up: "+y", facing: "-x" });
     expect(points.map((p) => p.name)).toEqual(["Head", "Left foreleg", "Left foot", "Right foot", "Chest"]);
-    expect(points).toMatchObject([{ mirror: "head" }, { id: "left-foreleg" }, { mirror: "right-foot" }, { mirror: "left-foot" }, { mirror: "chest" }]);
+    expect(points).toMatchObject([
+      { mirror: "head" },
+      { id: "left-foreleg" },
+      { mirror: "right-foot" },
+      { mirror: "left-foot" },
+      { mirror: "chest" },
+    ]);
     expect(points[1]).not.toHaveProperty("mirror");
     expect(more[1]).not.toHaveProperty("mirror");
     expect(more).toMatchObject([{ id: "left-tip", mirror: "right-tip" }, { id: "left-tip-2" }, { id: "right-tip", mirror: "left-tip" }]);
@@ -40,7 +69,11 @@ describe("guessing points", () => {
 
   it("makes a whole project", () => {
     expect(guessProject("Cow", "cow.obj", ["a.bvh"], MODEL, SAID, joints("Head"))).toMatchObject({
-      name: "Cow", mesh: { file: "cow.obj", up: "+y", facing: "-x" }, motion: { files: ["a.bvh"] }, points: { length: 5 }, examples: [],
+      name: "Cow",
+      mesh: { file: "cow.obj", up: "+y", facing: "-x" },
+      motion: { files: ["a.bvh"] },
+      points: { length: 5 },
+      examples: [],
     });
   });
 });

@@ -5,11 +5,24 @@ import { pointFromStage } from "../../src/document/stage";
 import type { ProjectDocument } from "../../src/document/types";
 import { readModel } from "../../src/io/read-model";
 import {
-  controlInputs, exampleControls, jointsOfPose, meshInput, pairingNotes, pointsOfControls, pointVertices, restControls, retargetInput, stageFor,
+  controlInputs,
+  exampleControls,
+  jointsOfPose,
+  meshInput,
+  pairingNotes,
+  pointsOfControls,
+  pointVertices,
+  restControls,
+  retargetInput,
+  stageFor,
 } from "../../src/sync/prepare";
 import { TETRAHEDRON, textFile } from "../support/files";
 
-const joints = [["root", -1], ["lfoot", 0], ["head", 0]].map(([name, parent]) => ({ name: String(name), parent: Number(parent) }));
+const joints = [
+  ["root", -1],
+  ["lfoot", 0],
+  ["head", 0],
+].map(([name, parent]) => ({ name: String(name), parent: Number(parent) }));
 
 const document: ProjectDocument = [
   addPoint({ id: "a", name: "top", position: [0.1, 0.9, 0], joint: "head" }),
@@ -33,9 +46,15 @@ describe("what the engine is asked", async () => {
   });
 
   it("controls at the nearest vertex, discs in metres", () => {
-    expect(pointVertices(model, document.points).map((v) => [...model.positions.subarray(3 * v, 3 * v + 3)])).toEqual(
-      [[0, 1, 0], [1, 0, 0], [0, 0, 0], [0, 0, 1]]);
-    expect(controlInputs(model, document).map(({ radius }) => radius)).toEqual([0.085, 0.17, 0.085, 0.085].map((r) => expect.closeTo(r, 9)));
+    expect(pointVertices(model, document.points).map((v) => [...model.positions.subarray(3 * v, 3 * v + 3)])).toEqual([
+      [0, 1, 0],
+      [1, 0, 0],
+      [0, 0, 0],
+      [0, 0, 1],
+    ]);
+    expect(controlInputs(model, document).map(({ radius }) => radius)).toEqual(
+      [0.085, 0.17, 0.085, 0.085].map((r) => expect.closeTo(r, 9)),
+    );
   });
 
   it("two points on one spot get two vertices", () => {
@@ -57,9 +76,13 @@ describe("what the engine is asked", async () => {
 
   it("joints on another skeleton by their part of the body, which is told", () => {
     const there = ["Hips", "LeftUpLeg", "LeftLeg", "LeftFoot"].map((name, j) => ({ name, parent: j - 1 }));
-    const said = { ...document, points: [{ ...document.points[0], joint: "lfemur" }], examples: [
-      { id: "1", source: { motion: "m", frame: 0 }, joints: { root: [0, 0, 0], lfemur: [1, 2, 3], ltibia: [4, 5, 6] }, points: {} },
-    ] } as unknown as ProjectDocument;
+    const said = {
+      ...document,
+      points: [{ ...document.points[0], joint: "lfemur" }],
+      examples: [
+        { id: "1", source: { motion: "m", frame: 0 }, joints: { root: [0, 0, 0], lfemur: [1, 2, 3], ltibia: [4, 5, 6] }, points: {} },
+      ],
+    } as unknown as ProjectDocument;
     const input = retargetInput(model, said, { joints: there, frames: 60 });
     expect([...input.pairs]).toEqual([2]);
     expect([...input.examples[0].joints]).toEqual([0, 0, 0, NaN, NaN, NaN, 1, 2, 3, 4, 5, 6]);
@@ -67,21 +90,60 @@ describe("what the engine is asked", async () => {
   });
 
   it("pins on the stage, contacts and flights as far as the clip goes, partners that agree with each other", () => {
-    const points = document.points.map((point) => ({ ...point, ...({ a: { mirror: "a" }, b: { mirror: "d" }, c: { mirror: "b" }, d: { mirror: "b" } })[point.id] }));
-    const said: ProjectDocument = { ...document, points, clips: { "m.amc": {
-      pins: [{ id: "1", point: "b", frame: 59, kind: "place", position: [0, 2, 0] }, { id: "2", point: "a", frame: 3, kind: "still" }, { id: "3", point: "a", frame: 60, kind: "still" }],
-      contacts: { d: [[0, 5], [50, 90]], a: [] }, flights: [[50, 80], [70, 80]],
-    } } };
+    const points = document.points.map((point) => ({
+      ...point,
+      ...{ a: { mirror: "a" }, b: { mirror: "d" }, c: { mirror: "b" }, d: { mirror: "b" } }[point.id],
+    }));
+    const said: ProjectDocument = {
+      ...document,
+      points,
+      clips: {
+        "m.amc": {
+          pins: [
+            { id: "1", point: "b", frame: 59, kind: "place", position: [0, 2, 0] },
+            { id: "2", point: "a", frame: 3, kind: "still" },
+            { id: "3", point: "a", frame: 60, kind: "still" },
+          ],
+          contacts: {
+            d: [
+              [0, 5],
+              [50, 90],
+            ],
+            a: [],
+          },
+          flights: [
+            [50, 80],
+            [70, 80],
+          ],
+        },
+      },
+    };
     const input = retargetInput(model, said, { joints, frames: 60 });
     expect(input.constraints).toHaveLength(2);
     expect(input.constraints?.[0]).toMatchObject({ kind: "position", control: 1, frame: 59 });
-    expect(pointFromStage(stage, (input.constraints?.[0] as { value: [number, number, number] }).value)).toEqual([0, 2, 0].map((v) => expect.closeTo(v, 5)));
+    expect(pointFromStage(stage, (input.constraints?.[0] as { value: [number, number, number] }).value)).toEqual(
+      [0, 2, 0].map((v) => expect.closeTo(v, 5)),
+    );
     expect(input.constraints?.[1]).toEqual({ kind: "still", control: 0, frame: 3 });
-    expect(input.contacts).toEqual([{ control: 0, runs: [] }, { control: 3, runs: [[0, 5], [50, 60]] }]);
+    expect(input.contacts).toEqual([
+      { control: 0, runs: [] },
+      {
+        control: 3,
+        runs: [
+          [0, 5],
+          [50, 60],
+        ],
+      },
+    ]);
     expect(input.flights).toEqual([[50, 59]]);
-    expect([...input.mirror ?? []]).toEqual([0, 3, -1, 1]);
+    expect([...(input.mirror ?? [])]).toEqual([0, 3, -1, 1]);
     expect(retargetInput(model, { ...said, settings: { ...said.settings, symmetry: false } }, { joints, frames: 60 }).mirror).toBeNull();
-    expect(retargetInput(model, document, { joints, frames: 60 })).toMatchObject({ constraints: [], contacts: [], flights: null, mirror: null });
+    expect(retargetInput(model, document, { joints, frames: 60 })).toMatchObject({
+      constraints: [],
+      contacts: [],
+      flights: null,
+      mirror: null,
+    });
   });
 
   it("examples in the motion's order, NaN for joints that they do not know, rest for points that they do not name", () => {

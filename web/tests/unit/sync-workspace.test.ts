@@ -111,9 +111,14 @@ test("a lost engine is replaced and told everything again", async () => {
 test("what the engine refuses is refused before it is the document; the dance stays", async () => {
   const before = await danced();
   const files = workspace.library.addMotion(["bad.bvh"], { format: "bvh", name: "bad.bvh", text: "HIERARCHY\nROOT Hips\n{\n" });
-  await expect(workspace.tryOn({ ...store.document, motion: { files } })).rejects.toMatchObject({ code: "bad_motion", message: expect.stringContaining("bad.bvh") });
+  await expect(workspace.tryOn({ ...store.document, motion: { files } })).rejects.toMatchObject({
+    code: "bad_motion",
+    message: expect.stringContaining("bad.bvh"),
+  });
   const flat = workspace.library.addModel("flat.obj", { positions: new Float32Array(9), faces: Uint32Array.of(0, 1, 7) });
-  await expect(workspace.tryOn({ ...store.document, mesh: { ...store.document.mesh, file: flat } })).rejects.toMatchObject({ code: "bad_mesh" });
+  await expect(workspace.tryOn({ ...store.document, mesh: { ...store.document.mesh, file: flat } })).rejects.toMatchObject({
+    code: "bad_mesh",
+  });
   expect(await danced()).toEqual(before);
   expect(told).not.toContain("failed");
 });

@@ -41,7 +41,11 @@ const cmuBvh = skeleton(
   "RightWrist>RThumb>RThumb_End",
 );
 
-const m = (chain: string): string => chain.split(">").map((name) => `mixamorig:${name}`).join(">");
+const m = (chain: string): string =>
+  chain
+    .split(">")
+    .map((name) => `mixamorig:${name}`)
+    .join(">");
 const mixamo = skeleton(
   m("Hips>Spine>Spine1>Spine2>Neck>Head>HeadTop_End"),
   m("Spine2>LeftShoulder>LeftArm>LeftForeArm>LeftHand>LeftHandThumb1>LeftHandThumb2"),
@@ -58,12 +62,27 @@ function named(human: DrawnHuman, plan: BodyPlan): Record<string, string | undef
 
 describe("the mannequin's bones", () => {
   test.each([
-    ["Acclaim", acclaim, { leftHip: "lhipjoint", rightHip: "rhipjoint", leftShoulder: "lclavicle", rightShoulder: "rclavicle", middle: "upperback" }],
-    ["CMU's BVH", cmuBvh, { leftHip: "LeftHip", rightHip: "RightHip", leftShoulder: "LeftShoulder", rightShoulder: "RightShoulder", middle: "Chest" }],
-    ["Mixamo", mixamo, {
-      leftHip: "mixamorig:LeftUpLeg", rightHip: "mixamorig:RightUpLeg", leftShoulder: "mixamorig:LeftArm", rightShoulder: "mixamorig:RightArm",
-      middle: "mixamorig:Spine1",
-    }],
+    [
+      "Acclaim",
+      acclaim,
+      { leftHip: "lhipjoint", rightHip: "rhipjoint", leftShoulder: "lclavicle", rightShoulder: "rclavicle", middle: "upperback" },
+    ],
+    [
+      "CMU's BVH",
+      cmuBvh,
+      { leftHip: "LeftHip", rightHip: "RightHip", leftShoulder: "LeftShoulder", rightShoulder: "RightShoulder", middle: "Chest" },
+    ],
+    [
+      "Mixamo",
+      mixamo,
+      {
+        leftHip: "mixamorig:LeftUpLeg",
+        rightHip: "mixamorig:RightUpLeg",
+        leftShoulder: "mixamorig:LeftArm",
+        rightShoulder: "mixamorig:RightArm",
+        middle: "mixamorig:Spine1",
+      },
+    ],
   ])("%s: hips and shoulders are where limbs begin, not collars", (_, human, torso) => {
     expect(named(human, buildBodyPlan(human))).toEqual(torso);
   });

@@ -1,6 +1,16 @@
 import { describe, expect, test } from "vitest";
 import { arcControls, arcPath, arcPoint } from "../../src/viewport/arc";
-import { ELEVATION, frame, freeRectangle, lanes, NEAREST, pixelsPerMetre, TARGET_HEIGHT, turned, type View } from "../../src/viewport/framing";
+import {
+  ELEVATION,
+  frame,
+  freeRectangle,
+  lanes,
+  NEAREST,
+  pixelsPerMetre,
+  TARGET_HEIGHT,
+  turned,
+  type View,
+} from "../../src/viewport/framing";
 
 const content = { width: 2.7, height: 1.75, depth: 1 };
 const desktop: View = { width: 1280, height: 456, insets: { left: 104, top: 80, right: 288, bottom: 48 } };
@@ -17,13 +27,19 @@ function screenY(view: View, metresUp: number): number {
 }
 
 describe("framing", () => {
-  test.each([["desktop", desktop], ["phone", phone]])("%s: feet at 85 %% of the free height, heads inside it", (_, view) => {
+  test.each([
+    ["desktop", desktop],
+    ["phone", phone],
+  ])("%s: feet at 85 %% of the free height, heads inside it", (_, view) => {
     const free = freeRectangle(view);
     expect(screenY(view, 0)).toBeCloseTo(free.y + 0.85 * free.height, 1);
     expect(screenY(view, content.height)).toBeGreaterThan(free.y);
   });
 
-  test.each([["desktop", desktop], ["phone", phone]])("%s: both figures fit between the sides of the free rectangle, in its middle", (_, view) => {
+  test.each([
+    ["desktop", desktop],
+    ["phone", phone],
+  ])("%s: both figures fit between the sides of the free rectangle, in its middle", (_, view) => {
     const free = freeRectangle(view);
     const { distance, shiftX } = frame(view, content);
     expect(content.width * pixelsPerMetre(view.height, distance - content.depth / 2)).toBeLessThanOrEqual(0.92 * free.width + 1e-6);
@@ -48,7 +64,12 @@ describe("framing", () => {
   });
 
   test("cards that cover nearly everything are ignored", () => {
-    expect(freeRectangle({ width: 400, height: 300, insets: { left: 200, top: 0, right: 180, bottom: 0 } })).toEqual({ x: 0, y: 0, width: 400, height: 300 });
+    expect(freeRectangle({ width: 400, height: 300, insets: { left: 200, top: 0, right: 180, bottom: 0 } })).toEqual({
+      x: 0,
+      y: 0,
+      width: 400,
+      height: 300,
+    });
   });
 
   test("lanes do not touch and are centred together", () => {

@@ -31,7 +31,10 @@ describe("smooth normals with creases", () => {
   test("an edge bent by more than 50 degrees is a crease: its vertices are drawn twice, each flat", () => {
     const { normals, vertex } = normalsOf(hinge(60));
     expect(vertex.length).toBe(8);
-    const ups = [...vertex.keys()].filter((i) => vertex[i] === 1).map((i) => normals[3 * i + 1]!).sort();
+    const ups = [...vertex.keys()]
+      .filter((i) => vertex[i] === 1)
+      .map((i) => normals[3 * i + 1]!)
+      .sort();
     expect(ups[0]).toBeCloseTo(Math.cos(Math.PI / 3), 5);
     expect(ups[1]).toBeCloseTo(1, 5);
   });
@@ -48,11 +51,10 @@ describe("smooth normals with creases", () => {
   test("a seam of the texture does not show: render vertices of one solver vertex share their normal", () => {
     const { positions } = hinge(40);
     const seam = Float32Array.from([...positions, ...positions.subarray(3, 9)]);
-    const { normals, vertex } = normalsOf({
-      positions: seam,
-      index: Uint32Array.of(0, 3, 2, 0, 2, 1, 6, 7, 5, 6, 5, 4),
-      toVertex: Uint32Array.of(0, 1, 2, 3, 4, 5, 1, 2),
-    }, positions);
+    const { normals, vertex } = normalsOf(
+      { positions: seam, index: Uint32Array.of(0, 3, 2, 0, 2, 1, 6, 7, 5, 6, 5, 4), toVertex: Uint32Array.of(0, 1, 2, 3, 4, 5, 1, 2) },
+      positions,
+    );
     const twins = [...vertex.keys()].filter((i) => vertex[i] === 1);
     expect(twins.length).toBe(2);
     for (let k = 0; k < 3; k++) expect(normals[3 * twins[0]! + k]).toBe(normals[3 * twins[1]! + k]);

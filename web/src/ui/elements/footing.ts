@@ -111,7 +111,8 @@ export class Footing extends SessionElement {
       @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => pins.choose(pins.chosen === pin.id ? null : pin.id)}
       @keydown=${(event: KeyboardEvent) => this.flagKey(event, pin)}>
       <svg viewBox="0 0 20 22" aria-hidden="true"><path class="pole" d="M4 3v18"/><path class="cloth" d="M4 3h13l-3 4.5 3 4.5H4Z"/>${
-        pin.kind === "still" ? html`<svg><path class="sign" d="M7.5 7.5h4"/></svg>` : html`<svg><path class="sign" d="M9 7.5h.01"/></svg>`}</svg></button>`;
+        pin.kind === "still" ? html`<svg><path class="sign" d="M7.5 7.5h4"/></svg>` : html`<svg><path class="sign" d="M9 7.5h.01"/></svg>`
+      }</svg></button>`;
   }
 
   private pick(row: FootingRow, on: boolean): void {

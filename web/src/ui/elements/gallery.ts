@@ -16,10 +16,12 @@ export interface Tile {
 
 /** Pictures to choose from; each moves while the pointer or the focus is on it. */
 export function gallery(tiles: readonly Tile[]) {
-  return html`<ul class="gallery">${tiles.map((tile) => html`<li>
+  return html`<ul class="gallery">${tiles.map(
+    (tile) => html`<li>
     <button class="tile" aria-pressed=${tile.chosen} aria-busy=${tile.coming} title=${tile.detail} @click=${tile.choose}>
       ${tile.picture ? html`<img src=${tile.picture} alt="" width="72" height="72" loading="lazy" decoding="async">` : html`<i>${icon(tile.fallback)}</i>`}
-      <span>${tile.name}</span>${tile.coming ? html`<b></b>` : ""}</button></li>`)}</ul>`;
+      <span>${tile.name}</span>${tile.coming ? html`<b></b>` : ""}</button></li>`,
+  )}</ul>`;
 }
 
 /** As many pictures as authoring/figures/pictures.ts draws. */

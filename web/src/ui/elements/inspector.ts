@@ -52,8 +52,12 @@ export class Inspector extends SessionElement {
           @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("groundContact", event.detail, false)}></rigless-switch>
         <rigless-switch label="In place" effect=${settings.inPlace ? "Stays on the spot" : "Travels as the dancer does"} .on=${settings.inPlace}
           @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("inPlace", event.detail, false)}></rigless-switch>
-        ${pointPartners(document.points) ? html`<rigless-switch label="Symmetry" effect=${settings.symmetry ? "Poses teach both sides" : "Poses teach their own side"} .on=${settings.symmetry}
-          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("symmetry", event.detail, false)}></rigless-switch>` : ""}
+        ${
+          pointPartners(document.points)
+            ? html`<rigless-switch label="Symmetry" effect=${settings.symmetry ? "Poses teach both sides" : "Poses teach their own side"} .on=${settings.symmetry}
+          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("symmetry", event.detail, false)}></rigless-switch>`
+            : ""
+        }
       </div>
     `;
   }
@@ -63,8 +67,6 @@ export class Inspector extends SessionElement {
     if (!performance) return "Feet stay where they stand";
     if (!performance.contacts.includes(1)) return "Nothing stands on the ground here";
     const { before, after } = performance.slip;
-    return this.session.document.settings.groundContact
-      ? `Slide ${cm(before)} cm/s, now ${cm(after)} cm/s`
-      : `Slide ${cm(before)} cm/s`;
+    return this.session.document.settings.groundContact ? `Slide ${cm(before)} cm/s, now ${cm(after)} cm/s` : `Slide ${cm(before)} cm/s`;
   }
 }

@@ -37,15 +37,18 @@ export class JobCard extends SessionElement {
   private renderJob(job: Job) {
     const percent = job.done === null ? null : Math.round(job.done * 100);
     const whole = (job.step + (job.done ?? 0)) / job.steps.length;
-    const mark = (k: number) =>
-      k < job.step ? icon("tick") : k === job.step ? html`<i class="dotnow"></i>` : html`<i class="todo"></i>`;
+    const mark = (k: number) => (k < job.step ? icon("tick") : k === job.step ? html`<i class="dotnow"></i>` : html`<i class="todo"></i>`);
     return html`<section class="job" aria-label=${job.title}>
       <div class="top"><h3>${job.title}</h3><button class="btn line" @click=${job.cancel}>Cancel</button></div>
       <div class="progress" role="progressbar" aria-label=${job.title} aria-valuemin="0" aria-valuemax="100"
         aria-valuenow=${Math.round(whole * 100)} style="--p:${whole}"><i></i><b></b></div>
       <ul class="steps">
-        ${job.steps.map((step, k) => html`<li class=${k === job.step ? "is-now" : ""}>${mark(k)}<span>${step}${
-          k === job.step && percent !== null ? `, ${percent} %` : ""}</span></li>`)}
+        ${job.steps.map(
+          (step, k) =>
+            html`<li class=${k === job.step ? "is-now" : ""}>${mark(k)}<span>${step}${
+              k === job.step && percent !== null ? `, ${percent} %` : ""
+            }</span></li>`,
+        )}
       </ul>
     </section>`;
   }

@@ -36,18 +36,25 @@ export class NoticesElement extends SessionElement {
   protected override render() {
     const { notices } = this.session;
     return html`<div class="list" role="status" aria-live="polite">
-      ${repeat(notices.shown, (notice) => notice.id, (notice) => html`
+      ${repeat(
+        notices.shown,
+        (notice) => notice.id,
+        (notice) => html`
         <div class="notice ${notice.bad ? "bad" : ""}">
           <span class="badge">${icon(notice.icon)}</span>
           <div><h3>${notice.title}</h3>${notice.text ? html`<p>${notice.text}</p>` : ""}</div>
           <div class="acts">
-            ${notice.actions.map((action) => html`<button class="btn line" @click=${() => {
-              notices.dismiss(notice.id);
-              action.run();
-            }}>${action.label}</button>`)}
+            ${notice.actions.map(
+              (action) =>
+                html`<button class="btn line" @click=${() => {
+                  notices.dismiss(notice.id);
+                  action.run();
+                }}>${action.label}</button>`,
+            )}
             <button class="btn icon" aria-label="Dismiss" @click=${() => notices.dismiss(notice.id)}>${icon("close")}</button>
           </div>
-        </div>`)}
+        </div>`,
+      )}
       ${notices.hidden > 0 ? html`<p class="rest">${notices.hidden} more</p>` : ""}
     </div>`;
   }

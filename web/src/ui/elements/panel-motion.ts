@@ -15,21 +15,27 @@ export class MotionPanel extends SessionElement {
     const { motion, builtins, motions } = session;
     return html`<section class="panel" aria-label="Motion">
       <h2>Motion <button class="btn line" @click=${() => session.pickFiles("motion")}>Open</button></h2>
-      ${gallery(motions.list.map((entry) => {
-        const file = entry.files.at(-1) ?? "";
-        const dance = entry.builtin ? builtins.motions.find((other) => other.file === file) : undefined;
-        return {
-          name: entry.name,
-          detail: dance ? `${entry.name}, ${seconds(dance.seconds)}` : file,
-          picture: dance ? builtins.picture(dance) : null,
-          fallback: "motion",
-          chosen: motions.isPlaying(entry),
-          coming: session.coming === file,
-          choose: () => session.useMotion(entry),
-        };
-      }))}
-      ${motion ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)}; ${count(motion.joints.length, "joint")}.
-        ${Math.abs(motion.source.fps - 30) > 0.01 ? `The file has ${figure(motion.source.fps)} a second.` : ""}</p>` : ""}
+      ${gallery(
+        motions.list.map((entry) => {
+          const file = entry.files.at(-1) ?? "";
+          const dance = entry.builtin ? builtins.motions.find((other) => other.file === file) : undefined;
+          return {
+            name: entry.name,
+            detail: dance ? `${entry.name}, ${seconds(dance.seconds)}` : file,
+            picture: dance ? builtins.picture(dance) : null,
+            fallback: "motion",
+            chosen: motions.isPlaying(entry),
+            coming: session.coming === file,
+            choose: () => session.useMotion(entry),
+          };
+        }),
+      )}
+      ${
+        motion
+          ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)}; ${count(motion.joints.length, "joint")}.
+        ${Math.abs(motion.source.fps - 30) > 0.01 ? `The file has ${figure(motion.source.fps)} a second.` : ""}</p>`
+          : ""
+      }
     </section>`;
   }
 }

@@ -27,8 +27,9 @@ export class PointsPanel extends SessionElement {
   private renderPlaces() {
     const { guesses } = this.session;
     if (guesses.places.length === 0) return nothing;
-    return html`<p class="note">Other good places:</p><div class="row-acts">${guesses.places.map(({ id, name }) =>
-      html`<button class="btn pencil" @click=${() => guesses.take(guesses.offerId(id))}>+ ${name}</button>`)}</div>`;
+    return html`<p class="note">Other good places:</p><div class="row-acts">${guesses.places.map(
+      ({ id, name }) => html`<button class="btn pencil" @click=${() => guesses.take(guesses.offerId(id))}>+ ${name}</button>`,
+    )}</div>`;
   }
 
   private renderPoint(point: Point, number: number) {

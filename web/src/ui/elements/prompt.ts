@@ -27,28 +27,39 @@ export class Prompt extends SessionElement {
     const { session } = this;
     if (session.teaching.asking !== null) return this.renderAsked();
     if (session.pins.chosenPin) return this.renderPin(session.pins.chosenPin);
-    if (session.pins.armed) return card("Pins", html`<h3>Drag a dot to where it shall be at this frame.</h3><p>A pin holds for its frame and teaches nothing else.</p>`,
-      html`<button class="btn line" @click=${() => session.pins.arm(false)}>Cancel <kbd>Esc</kbd></button>`);
+    if (session.pins.armed)
+      return card(
+        "Pins",
+        html`<h3>Drag a dot to where it shall be at this frame.</h3><p>A pin holds for its frame and teaches nothing else.</p>`,
+        html`<button class="btn line" @click=${() => session.pins.arm(false)}>Cancel <kbd>Esc</kbd></button>`,
+      );
     return this.renderPairing();
   }
 
   private renderAsked() {
     const { teaching, document } = this.session;
     const free = document.settings.symmetry && pointPartners(document.points) ? " Its mirror comes free." : "";
-    return card("Asked for", html`<h3>Show me this one.</h3><p>It is the farthest from your poses: drag the dots until it means the same.${free}</p>`,
+    return card(
+      "Asked for",
+      html`<h3>Show me this one.</h3><p>It is the farthest from your poses: drag the dots until it means the same.${free}</p>`,
       html`<button class="btn" @click=${() => teaching.skip()}>Skip <kbd>Esc</kbd></button>
-        <button class="btn primary" @click=${() => teaching.keep()}>Keep pose <kbd>Enter</kbd></button>`);
+        <button class="btn primary" @click=${() => teaching.keep()}>Keep pose <kbd>Enter</kbd></button>`,
+    );
   }
 
   private renderPin(pin: Pin) {
     const { pins, document } = this.session;
     const name = document.points.find(({ id }) => id === pin.point)?.name ?? "The point";
     const still = pin.kind === "still";
-    return card("Pin", html`<h3>${name} ${still ? "stands still" : "is held"} at frame ${pin.frame}.</h3><p>${
-      still ? "It is where it was a frame before." : "It is just there, whatever the poses say."}</p>`,
+    return card(
+      "Pin",
+      html`<h3>${name} ${still ? "stands still" : "is held"} at frame ${pin.frame}.</h3><p>${
+        still ? "It is where it was a frame before." : "It is just there, whatever the poses say."
+      }</p>`,
       html`${still && !pin.position ? "" : html`<button class="btn" ?disabled=${pin.frame === 0} @click=${() => pins.setKind(pin, still ? "place" : "still")}>${still ? "Hold it" : "Stand still"}</button>`}
         <button class="btn" @click=${() => pins.remove(pin.id)}>Delete</button>
-        <button class="btn line" @click=${() => pins.choose(null)}>Done <kbd>Esc</kbd></button>`);
+        <button class="btn line" @click=${() => pins.choose(null)}>Done <kbd>Esc</kbd></button>`,
+    );
   }
 
   private renderPairing() {
@@ -61,9 +72,14 @@ export class Prompt extends SessionElement {
     const words = waiting
       ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${paired} of ${points.length} paired. Any joint of the dancer will do.</p>`
       : html`<h3>Click a place on the model${points.length === 0 ? ", then the joint that moves it" : ""}.</h3><p>${
-          points.length === 0 ? "It dances as soon as one place has its joint." : `${paired} of ${points.length} paired.`}</p>`;
-    return card("Points", words, html`${waiting ? html`<button class="btn" @click=${() => pairing.setWaiting(null)}>Skip</button>` : ""}
-      <button class="btn line" @click=${() => pairing.stop()}>Done <kbd>Esc</kbd></button>`);
+          points.length === 0 ? "It dances as soon as one place has its joint." : `${paired} of ${points.length} paired.`
+        }</p>`;
+    return card(
+      "Points",
+      words,
+      html`${waiting ? html`<button class="btn" @click=${() => pairing.setWaiting(null)}>Skip</button>` : ""}
+      <button class="btn line" @click=${() => pairing.stop()}>Done <kbd>Esc</kbd></button>`,
+    );
   }
 }
 

@@ -28,10 +28,12 @@ export class Rail extends SessionElement {
 
   protected override render() {
     return html`<nav aria-label="What to work on"><ul>
-      ${VERBS.map((verb, k) => html`<li>
+      ${VERBS.map(
+        (verb, k) => html`<li>
         <button class="verb" aria-pressed=${this.session.verb === verb.id} title="${verb.name} (${k + 1})"
           @click=${() => this.session.setVerb(this.session.verb === verb.id ? null : verb.id)}>${icon(verb.id)}${verb.name}</button>
-      </li>`)}
+      </li>`,
+      )}
     </ul></nav>`;
   }
 }

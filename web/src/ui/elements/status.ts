@@ -27,11 +27,20 @@ export class Status extends SessionElement {
     const index = session.document.points.findIndex((point) => point.id === id);
     const point = session.document.points[index];
     this.toggleAttribute("plain", !point);
-    this.toggleAttribute("asking", session.verb === "points" && (session.pairing.adding || session.pairing.waiting !== null) || session.teaching.asking !== null || session.pins.chosen !== null || session.pins.armed);
+    this.toggleAttribute(
+      "asking",
+      (session.verb === "points" && (session.pairing.adding || session.pairing.waiting !== null)) ||
+        session.teaching.asking !== null ||
+        session.pins.chosen !== null ||
+        session.pins.armed,
+    );
     const solved = session.meter.median;
-    const speed = session.solving && !held
-      ? html`<span>solving</span>`
-      : solved === null ? html`<span>ready</span>` : html`<span>solved in <b>${Math.max(1, Math.round(solved))} ms</b></span>`;
+    const speed =
+      session.solving && !held
+        ? html`<span>solving</span>`
+        : solved === null
+          ? html`<span>ready</span>`
+          : html`<span>solved in <b>${Math.max(1, Math.round(solved))} ms</b></span>`;
     return html`
       ${point ? html`${badge(index + 1)}<span><b>${point.name}</b> ${held ? "held" : "selected"}</span><i></i>` : ""}
       ${held ? html`<span>frame <b>${held.frame}</b></span><i></i>` : ""}

@@ -100,8 +100,10 @@ export class Timeline extends SessionElement {
     const now = session.player.frame;
     const place = (frame: number): string => `--f:${(100 * Math.min(frame, last)) / last}%`;
     return html`<div class="lane poses">
-      ${session.teaching.asked.map((frame) => html`<button class="pose asked ${frame === session.teaching.asking ? "sel" : ""}" style=${place(frame)}
-        title="Frame ${frame} would teach much" aria-label="Make the pose that is asked for at frame ${frame}" @click=${() => session.teaching.ask(frame)}><span class="thumb">+</span></button>`)}
+      ${session.teaching.asked.map(
+        (frame) => html`<button class="pose asked ${frame === session.teaching.asking ? "sel" : ""}" style=${place(frame)}
+        title="Frame ${frame} would teach much" aria-label="Make the pose that is asked for at frame ${frame}" @click=${() => session.teaching.ask(frame)}><span class="thumb">+</span></button>`,
+      )}
       ${session.poses.mirrored.map(({ pose, frame }) => {
         const picture = session.thumbnails.of(pose);
         return html`<button class="pose mirrored" style=${place(frame)} title="Mirror image of the pose at ${pose.source.frame}" aria-label="Mirrored pose at frame ${frame}"

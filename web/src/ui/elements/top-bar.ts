@@ -58,10 +58,11 @@ export class TopBar extends SessionElement {
   }
 
   private renderMenu() {
-    const item = (label: string, run: () => void) => html`<button class="btn" @click=${() => {
-      this.menu = false;
-      run();
-    }}>${label}</button>`;
+    const item = (label: string, run: () => void) =>
+      html`<button class="btn" @click=${() => {
+        this.menu = false;
+        run();
+      }}>${label}</button>`;
     return html`<div class="sheet">
       ${item("Open", () => this.session.pickFiles())}
       ${item("Save", () => void this.session.save())}

@@ -26,9 +26,13 @@ const MOTIONS = "motions/";
 
 /** Where the build put each asset, by its path under `assets`. */
 const ADDRESSES = new Map(
-  Object.entries(import.meta.glob<string>(["../../../assets/**/project.json", "../../../assets/**/*.{glb,bvh,webp}"], {
-    query: "?url", import: "default", eager: true,
-  })).map(([path, url]) => [path.replace(/^.*?\/assets\//, ""), url]),
+  Object.entries(
+    import.meta.glob<string>(["../../../assets/**/project.json", "../../../assets/**/*.{glb,bvh,webp}"], {
+      query: "?url",
+      import: "default",
+      eager: true,
+    }),
+  ).map(([path, url]) => [path.replace(/^.*?\/assets\//, ""), url]),
 );
 
 /** What comes with the page. In documents its files are named without folders. */
@@ -61,7 +65,9 @@ export class Builtins {
 
   /** The address of a small strip of pictures, or null if it was not drawn yet. */
   picture(of: Character | Dance): string | null {
-    return ADDRESSES.get("id" in of ? `${CHARACTERS}pictures/${of.id}.webp` : `${MOTIONS}pictures/${of.file.replace(/\.bvh$/, ".webp")}`) ?? null;
+    return (
+      ADDRESSES.get("id" in of ? `${CHARACTERS}pictures/${of.id}.webp` : `${MOTIONS}pictures/${of.file.replace(/\.bvh$/, ".webp")}`) ?? null
+    );
   }
 }
 

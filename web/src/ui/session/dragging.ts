@@ -89,7 +89,10 @@ export class Dragging {
   key(id: string, event: KeyboardEvent): void {
     const by = event.shiftKey ? 0.002 : 0.01;
     const ways: Readonly<Record<string, readonly [number, number, number]>> = {
-      ArrowLeft: [-by, 0, 0], ArrowRight: [by, 0, 0], ArrowUp: [0, by, 0], ArrowDown: [0, -by, 0],
+      ArrowLeft: [-by, 0, 0],
+      ArrowRight: [by, 0, 0],
+      ArrowUp: [0, by, 0],
+      ArrowDown: [0, -by, 0],
     };
     const way = ways[event.key];
     if (!way) return;

@@ -15,7 +15,8 @@ export function modelText(model: Model, mesh: MeshRef, report: MeshReport | null
   if (mesh.up !== "+y") notes.unshift(`It lies down in its file; we stood it up.`);
   else if (mesh.facing !== "+z") notes.unshift(`We turned it to look at you.`);
   if (report && report.shells > 1) notes.push(`${figure(report.shells)} separate pieces, held together by closeness.`);
-  if (report && report.nonManifoldEdges > 0) notes.push(`${count(report.nonManifoldEdges, "edge")} shared by 3 or more faces; we worked around them.`);
+  if (report && report.nonManifoldEdges > 0)
+    notes.push(`${count(report.nonManifoldEdges, "edge")} shared by 3 or more faces; we worked around them.`);
   if (report && report.volume === null) notes.push("It is open, so it has no volume to keep.");
   return {
     title: `${model.name} is ${metres(height)} tall.`,
@@ -26,7 +27,8 @@ export function modelText(model: Model, mesh: MeshRef, report: MeshReport | null
 /** What we guessed and what can be done about it. */
 export function guessText(points: readonly Point[]): { title: string; text: string } {
   const loose = points.filter((point) => point.joint === null);
-  const text = loose.length > 0 ? `${list(loose.map((point) => point.name))} ${loose.length === 1 ? "follows" : "follow"} the whole pose. ` : "";
+  const text =
+    loose.length > 0 ? `${list(loose.map((point) => point.name))} ${loose.length === 1 ? "follows" : "follow"} the whole pose. ` : "";
   return {
     title: `Guessed ${count(points.length, "point")} and which joints they follow.`,
     text: `${text}Drag any dot to correct, Undo to start from nothing.`,

@@ -27,11 +27,25 @@ export class Footing {
     const { document, performance, selected } = this.session;
     if (!performance) return [];
     const { contacts = {}, flights, pins = [] } = clips.clipOf(document);
-    const points = document.points.map(({ id, name }, control): FootingRow => {
-      const said = Object.hasOwn(contacts, id) ? contacts[id] : undefined;
-      return { id, name, number: control + 1, runs: said ?? runsOf(performance, control, document.points.length), edited: said !== undefined };
-    }).filter(({ id, runs, edited }) => runs.length > 0 || edited || id === selected || pins.some((pin) => pin.point === id));
-    const air: FootingRow = { id: FLIGHTS, name: "In the air", number: null, runs: flights ?? performance.flights, edited: flights !== undefined };
+    const points = document.points
+      .map(({ id, name }, control): FootingRow => {
+        const said = Object.hasOwn(contacts, id) ? contacts[id] : undefined;
+        return {
+          id,
+          name,
+          number: control + 1,
+          runs: said ?? runsOf(performance, control, document.points.length),
+          edited: said !== undefined,
+        };
+      })
+      .filter(({ id, runs, edited }) => runs.length > 0 || edited || id === selected || pins.some((pin) => pin.point === id));
+    const air: FootingRow = {
+      id: FLIGHTS,
+      name: "In the air",
+      number: null,
+      runs: flights ?? performance.flights,
+      edited: flights !== undefined,
+    };
     return points.length === 0 || (air.runs.length === 0 && !air.edited) ? points : [...points, air];
   }
 

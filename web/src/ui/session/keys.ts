@@ -37,12 +37,24 @@ export function handleKey(session: Session, event: KeyboardEvent): boolean {
       if (onButton(event)) return false;
       session.togglePlay();
       return true;
-    case ",": player.step(-1); return true;
-    case ".": player.step(1); return true;
-    case "[": session.poses.step(-1); return true;
-    case "]": session.poses.step(1); return true;
-    case "k": session.keepShape(); return true;
-    case "c": session.pins.key(); return true;
+    case ",":
+      player.step(-1);
+      return true;
+    case ".":
+      player.step(1);
+      return true;
+    case "[":
+      session.poses.step(-1);
+      return true;
+    case "]":
+      session.poses.step(1);
+      return true;
+    case "k":
+      session.keepShape();
+      return true;
+    case "c":
+      session.pins.key();
+      return true;
     case "m":
       if (!session.drag) return false;
       session.dragging.mirror();
@@ -51,13 +63,19 @@ export function handleKey(session: Session, event: KeyboardEvent): boolean {
       if (session.teaching.asking === null || onButton(event)) return false;
       session.teaching.keep();
       return true;
-    case "f": session.fit(); return true;
-    case "?": session.setHelp(true); return true;
-    case "Escape": return session.escape();
+    case "f":
+      session.fit();
+      return true;
+    case "?":
+      session.setHelp(true);
+      return true;
+    case "Escape":
+      return session.escape();
     case "Delete":
       if (session.pins.chosen) session.pins.remove(session.pins.chosen);
       else return session.points.removeSelected();
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }

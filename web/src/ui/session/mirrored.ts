@@ -37,8 +37,13 @@ export function mirroredFrame({ joints }: Example, motion: Motion): number | nul
 
 /** "LeftHand" for "RightHand", "lfoot" for "rfoot". */
 function otherSide(name: string): string {
-  const swap = (side: string): string => ({ left: "right", right: "left", Left: "Right", Right: "Left", LEFT: "RIGHT", RIGHT: "LEFT", l: "r", r: "l", L: "R", R: "L" })[side] ?? side;
+  const swap = (side: string): string =>
+    ({ left: "right", right: "left", Left: "Right", Right: "Left", LEFT: "RIGHT", RIGHT: "LEFT", l: "r", r: "l", L: "R", R: "L" })[side] ??
+    side;
   const word = /left|right/i.exec(name);
   if (word) return name.replace(word[0], swap(word[0]));
-  return name.replace(/(^|[:|._ -])([lrLR])(?=[A-Z._ -]|(?:foot|hand|wrist|thumb|fingers|femur|tibia|toes|hipjoint|clavicle|humerus|radius)\b)/, (_, before: string, side: string) => before + swap(side));
+  return name.replace(
+    /(^|[:|._ -])([lrLR])(?=[A-Z._ -]|(?:foot|hand|wrist|thumb|fingers|femur|tibia|toes|hipjoint|clavicle|humerus|radius)\b)/,
+    (_, before: string, side: string) => before + swap(side),
+  );
 }

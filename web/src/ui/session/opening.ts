@@ -53,7 +53,10 @@ export class Opening {
       if (!own || !isNewest()) return;
       job.step(1);
       const { saved } = session;
-      const { motion, settings: { inPlace } } = session.document;
+      const {
+        motion,
+        settings: { inPlace },
+      } = session.document;
       await this.change({ ...own, motion, settings: { ...own.settings, inPlace } }, job);
       if (saved) session.markSaved();
     });
@@ -118,7 +121,8 @@ export class Opening {
         }
         const nothing = !sorted.project && sorted.models.length === 0 && sorted.motions.length === 0;
         for (const problem of sorted.problems) this.refuse(problem, nothing);
-      }));
+      }),
+    );
   }
 
   private async project(dropped: readonly NamedFile[], job: JobHandle, gesture: Gesture): Promise<void> {
@@ -173,7 +177,11 @@ export class Opening {
       if (!(error instanceof EngineError)) throw error;
       if (error.code === "cancelled") return;
       session.setVerb("points");
-      this.say({ title: "We found no places to hold it by.", text: "Click a place on the model, then the joint that moves it.", icon: "points" });
+      this.say({
+        title: "We found no places to hold it by.",
+        text: "Click a place on the model, then the joint that moves it.",
+        icon: "points",
+      });
     }
   }
 
@@ -190,7 +198,12 @@ export class Opening {
         this.say({ ...motionText(motion.input.name, taken.motion, notes), icon: "motion", actions: [session.undoAction()] });
       });
     }
-    if (motions.length > 1) this.say({ title: `${motions.length} motions came in.`, text: "The first one plays; the others are in the list.", actions: [{ label: "Show", run: () => session.setVerb("motion") }] });
+    if (motions.length > 1)
+      this.say({
+        title: `${motions.length} motions came in.`,
+        text: "The first one plays; the others are in the list.",
+        actions: [{ label: "Show", run: () => session.setVerb("motion") }],
+      });
   }
 
   /** One step to another document, if the engine can take it. */
@@ -230,4 +243,3 @@ export class Opening {
     return this.session.document.mesh.file === "" ? "Nothing is shown yet." : `Your ${this.session.modelName.toLowerCase()} is untouched.`;
   }
 }
-

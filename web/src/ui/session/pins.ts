@@ -70,7 +70,12 @@ export class Pins {
     if (!pin) return;
     session.apply(removePin(id));
     this.choose(null);
-    session.notices.say({ title: `The pin at frame ${pin.frame} is gone.`, text: "The dance goes on without it.", icon: "points", actions: [session.undoAction()] });
+    session.notices.say({
+      title: `The pin at frame ${pin.frame} is gone.`,
+      text: "The dance goes on without it.",
+      icon: "points",
+      actions: [session.undoAction()],
+    });
   }
 
   /** Says which pin the new dance cannot keep, by how much, and what stands against it; or takes that back. */
@@ -93,7 +98,10 @@ export class Pins {
       title: TITLE,
       text: `${this.words(pin)} is missed by ${miss} cm. ${other ? `${this.words(other)} stands against it; they met half way.` : "The ground stands against it: the point stands or would sink there."}`,
       icon: "points",
-      actions: [{ label: "Show it", run: () => this.choose(pin.id) }, { label: "Delete it", run: () => this.remove(pin.id) }],
+      actions: [
+        { label: "Show it", run: () => this.choose(pin.id) },
+        { label: "Delete it", run: () => this.remove(pin.id) },
+      ],
     });
   }
 

@@ -107,9 +107,10 @@ export class Poses {
   step(direction: 1 | -1): void {
     const { here } = this;
     const now = this.session.player.frame;
-    const next = direction > 0
-      ? here.find((pose) => pose.source.frame > now) ?? here[0]
-      : here.findLast((pose) => pose.source.frame < now) ?? here.at(-1);
+    const next =
+      direction > 0
+        ? (here.find((pose) => pose.source.frame > now) ?? here[0])
+        : (here.findLast((pose) => pose.source.frame < now) ?? here.at(-1));
     if (next) this.goTo(next.id);
   }
 

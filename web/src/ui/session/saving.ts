@@ -26,7 +26,11 @@ export class Saving {
       download(projectFileName(document), zip.slice(), "application/zip");
       session.markSaved();
     } catch (error) {
-      session.notices.say({ bad: true, title: "The project could not be saved.", text: error instanceof Error ? error.message : String(error) });
+      session.notices.say({
+        bad: true,
+        title: "The project could not be saved.",
+        text: error instanceof Error ? error.message : String(error),
+      });
     }
   }
 
@@ -37,23 +41,41 @@ export class Saving {
     if (!model || !session.performance) return;
     const { name, mesh } = session.document;
     try {
-      await session.jobs.run(`Exporting ${name}`, [`Play through ${figure(session.performance.frames)} frames`, "Write the file"], async (job) => {
-        const frames = await this.allFrames(job.signal, job.progress);
-        job.step(1);
-        const { writeGlb } = await import("../../io/write-glb");
-        const stage = stageFor(model, mesh);
-        const every = Math.ceil(frames.length / MAX_TARGETS);
-        const glb = await writeGlb({
-          name, drawn: model.drawn, faces: model.faces, rest: toStage(stage, model.positions), frames, scale: 1 / stage.scale, every,
-        });
-        job.signal.throwIfAborted();
-        download(`${name}.glb`, glb.slice(), "model/gltf-binary");
-        const kept = every > 1 ? ` Every ${figure(every)} frames are one shape, so that all viewers can take it.` : "";
-        session.notices.say({ title: `${name}.glb is ${bytes(glb.length)}.`, text: `It opens in Blender, Unity, Godot and on the web.${kept}`, icon: "save" });
-      });
+      await session.jobs.run(
+        `Exporting ${name}`,
+        [`Play through ${figure(session.performance.frames)} frames`, "Write the file"],
+        async (job) => {
+          const frames = await this.allFrames(job.signal, job.progress);
+          job.step(1);
+          const { writeGlb } = await import("../../io/write-glb");
+          const stage = stageFor(model, mesh);
+          const every = Math.ceil(frames.length / MAX_TARGETS);
+          const glb = await writeGlb({
+            name,
+            drawn: model.drawn,
+            faces: model.faces,
+            rest: toStage(stage, model.positions),
+            frames,
+            scale: 1 / stage.scale,
+            every,
+          });
+          job.signal.throwIfAborted();
+          download(`${name}.glb`, glb.slice(), "model/gltf-binary");
+          const kept = every > 1 ? ` Every ${figure(every)} frames are one shape, so that all viewers can take it.` : "";
+          session.notices.say({
+            title: `${name}.glb is ${bytes(glb.length)}.`,
+            text: `It opens in Blender, Unity, Godot and on the web.${kept}`,
+            icon: "save",
+          });
+        },
+      );
     } catch (error) {
       if (error instanceof DOMException && error.name === "AbortError") return;
-      session.notices.say({ bad: true, title: `${name} could not be exported.`, text: error instanceof Error ? error.message : String(error) });
+      session.notices.say({
+        bad: true,
+        title: `${name} could not be exported.`,
+        text: error instanceof Error ? error.message : String(error),
+      });
     }
   }
 

@@ -141,7 +141,11 @@ export class Session extends Emitter<SessionEvents> {
         this.build(new Viewport(host));
       } catch (error) {
         const why = error instanceof Error ? error.message : String(error);
-        this.notices.say({ bad: true, title: "This browser shows no 3D graphics.", text: `Turn on hardware acceleration or try another browser. (${why})` });
+        this.notices.say({
+          bad: true,
+          title: "This browser shows no 3D graphics.",
+          text: `Turn on hardware acceleration or try another browser. (${why})`,
+        });
       }
     };
     this.workspace.on("performance", () => setTimeout(build)); // after the engine has been told to bake
@@ -166,12 +170,22 @@ export class Session extends Emitter<SessionEvents> {
 
   // What is
 
-  get document(): ProjectDocument { return this.store.document; }
-  get motion(): Motion | null { return this.workspace.motion; }
-  get report(): MeshReport | null { return this.workspace.report; }
+  get document(): ProjectDocument {
+    return this.store.document;
+  }
+  get motion(): Motion | null {
+    return this.workspace.motion;
+  }
+  get report(): MeshReport | null {
+    return this.workspace.report;
+  }
   /** The file of what was chosen and is not there yet. */
-  get coming(): string | null { return this.opening.coming; }
-  get drag(): Drag | null { return this.dragging.active; }
+  get coming(): string | null {
+    return this.opening.coming;
+  }
+  get drag(): Drag | null {
+    return this.dragging.active;
+  }
 
   /** The dance, unless points came or went since it was solved. */
   get performance(): Performance | null {
@@ -179,12 +193,24 @@ export class Session extends Emitter<SessionEvents> {
     return performance && performance.controls.length === 3 * performance.frames * this.document.points.length ? performance : null;
   }
 
-  get canUndo(): boolean { return this.store.canUndo; }
-  get canRedo(): boolean { return this.store.canRedo; }
-  get canExport(): boolean { return this.performance !== null; }
-  get canPose(): boolean { return this.performance !== null; }
-  get saved(): boolean { return this.document === this.savedDocument; }
-  get model(): SolverModel | undefined { return this.workspace.library.model(this.document.mesh.file); }
+  get canUndo(): boolean {
+    return this.store.canUndo;
+  }
+  get canRedo(): boolean {
+    return this.store.canRedo;
+  }
+  get canExport(): boolean {
+    return this.performance !== null;
+  }
+  get canPose(): boolean {
+    return this.performance !== null;
+  }
+  get saved(): boolean {
+    return this.document === this.savedDocument;
+  }
+  get model(): SolverModel | undefined {
+    return this.workspace.library.model(this.document.mesh.file);
+  }
 
   get modelName(): string {
     const name = this.cast.present?.name ?? "";
@@ -243,14 +269,26 @@ export class Session extends Emitter<SessionEvents> {
   // Files
 
   pickFiles(kind: FileKind = "any"): void {
-    void pickFiles(kind).then((files) => { if (files.length > 0) return this.openFiles(files); });
+    void pickFiles(kind).then((files) => {
+      if (files.length > 0) return this.openFiles(files);
+    });
   }
 
-  openFiles(files: readonly File[]): Promise<void> { return this.opening.files(files); }
-  usePerformer(performer: Performer): void { void this.opening.usePerformer(performer); }
-  useMotion(entry: MotionEntry): void { void this.opening.useMotion(entry); }
-  save(): Promise<void> { return this.saving.save(); }
-  exportModel(): void { void this.saving.exportModel(); }
+  openFiles(files: readonly File[]): Promise<void> {
+    return this.opening.files(files);
+  }
+  usePerformer(performer: Performer): void {
+    void this.opening.usePerformer(performer);
+  }
+  useMotion(entry: MotionEntry): void {
+    void this.opening.useMotion(entry);
+  }
+  save(): Promise<void> {
+    return this.saving.save();
+  }
+  exportModel(): void {
+    void this.saving.exportModel();
+  }
 
   markSaved(): void {
     this.savedDocument = this.document;
@@ -306,8 +344,12 @@ export class Session extends Emitter<SessionEvents> {
     this.emit("help", undefined);
   }
 
-  setInsets(insets: Insets): void { this.viewport?.setInsets(insets); }
-  fit(): void { this.viewport?.fit(); }
+  setInsets(insets: Insets): void {
+    this.viewport?.setInsets(insets);
+  }
+  fit(): void {
+    this.viewport?.fit();
+  }
 
   /** The first line has been understood. */
   goodbye(): void {
@@ -330,11 +372,16 @@ export class Session extends Emitter<SessionEvents> {
     return true;
   }
 
-  showFrame(): void { this.show.frame(); }
-  showDots(): void { this.show.dots(); }
+  showFrame(): void {
+    this.show.frame();
+  }
+  showDots(): void {
+    this.show.dots();
+  }
 
   private documentChanged(): void {
-    if (this.selected && this.selected !== FLIGHTS && !this.document.points.some((point) => point.id === this.selected)) this.selected = null;
+    if (this.selected && this.selected !== FLIGHTS && !this.document.points.some((point) => point.id === this.selected))
+      this.selected = null;
     this.notices.outdate(this.document);
     this.teaching.follow();
     this.show.dots();
@@ -346,8 +393,14 @@ export class Session extends Emitter<SessionEvents> {
   private listenToWorkspace(): void {
     const { workspace } = this;
     const solved = (): void => this.emit("solve", undefined);
-    workspace.on("mesh", () => { this.show.model(); solved(); });
-    workspace.on("motion", () => { this.show.human(); solved(); });
+    workspace.on("mesh", () => {
+      this.show.model();
+      solved();
+    });
+    workspace.on("motion", () => {
+      this.show.human();
+      solved();
+    });
     workspace.on("performance", (performance) => {
       if (performance) this.meter.add(performance.milliseconds);
       this.show.performance();
@@ -368,7 +421,9 @@ export class Session extends Emitter<SessionEvents> {
       if (!busy) void this.thumbnails.update();
     });
     workspace.on("failed", (error) => this.notices.say({ bad: true, title: error.message, text: "The dance is as it was before." }));
-    workspace.on("recovered", () => this.notices.say({ title: "The solver had to be started again.", text: "Everything you made is still here." }));
+    workspace.on("recovered", () =>
+      this.notices.say({ title: "The solver had to be started again.", text: "Everything you made is still here." }),
+    );
   }
 
   private listenToViewport(viewport: Viewport): void {
@@ -383,7 +438,9 @@ export class Session extends Emitter<SessionEvents> {
     viewport.on("surface-pick", ({ vertex }) => this.pairing.surface(vertex));
     viewport.on("joint-pick", ({ joint }) => this.pairing.joint(joint));
     viewport.on("empty-pick", () => this.select(null));
-    viewport.on("context-lost", () => this.notices.say({ title: "Graphics were reset by the browser.", text: "Your work is here. The picture comes back by itself." }));
+    viewport.on("context-lost", () =>
+      this.notices.say({ title: "Graphics were reset by the browser.", text: "Your work is here. The picture comes back by itself." }),
+    );
     viewport.on("context-restored", () => {
       this.notices.dismissTitle("Graphics were reset by the browser.");
       this.show.everything();

@@ -43,7 +43,10 @@ export class Show {
   human(): void {
     const { motion, viewport, player } = this.session;
     if (!motion) return;
-    viewport?.setHuman({ names: motion.joints.map((joint) => joint.name), parents: Int32Array.from(motion.joints, (joint) => joint.parent) });
+    viewport?.setHuman({
+      names: motion.joints.map((joint) => joint.name),
+      parents: Int32Array.from(motion.joints, (joint) => joint.parent),
+    });
     player.setFrames(motion.frames);
     this.dots();
     this.frame();
@@ -68,9 +71,16 @@ export class Show {
     const pairs = motion && pointJoints(document, motion);
     const partners = pointPartners(document.points);
     const twin = partners?.[document.points.findIndex(({ id }) => id === session.selected)] ?? -1;
-    const dots = document.points.map(({ id, name }, k): Dot => ({
-      id, number: k + 1, name, vertex: vertices[k], joint: pairs?.[k] ?? -1, twin: k === twin && id !== session.selected,
-    }));
+    const dots = document.points.map(
+      ({ id, name }, k): Dot => ({
+        id,
+        number: k + 1,
+        name,
+        vertex: vertices[k],
+        joint: pairs?.[k] ?? -1,
+        twin: k === twin && id !== session.selected,
+      }),
+    );
     session.viewport?.setDots([...dots, ...this.offers(model)], session.selected);
   }
 
@@ -80,7 +90,9 @@ export class Show {
     if (session.verb !== "points") return [];
     const { places } = session.guesses;
     const vertices = pointVertices(model, places);
-    return places.map(({ id, name }, k): Dot => ({ id: session.guesses.offerId(id), number: 1, name, vertex: vertices[k], joint: -1, offered: true }));
+    return places.map(
+      ({ id, name }, k): Dot => ({ id: session.guesses.offerId(id), number: 1, name, vertex: vertices[k], joint: -1, offered: true }),
+    );
   }
 
   frame(): void {

@@ -17,7 +17,10 @@ export class Teaching {
     const { ask, enough, coverage } = performance;
     if (enough.have >= enough.want) return [];
     const taken = new Set(this.session.poses.here.map((pose) => pose.source.frame));
-    return ask.map(({ frame }) => frame).filter((frame) => !taken.has(frame) && (coverage[frame] ?? 0) > ENOUGH).slice(0, 3);
+    return ask
+      .map(({ frame }) => frame)
+      .filter((frame) => !taken.has(frame) && (coverage[frame] ?? 0) > ENOUGH)
+      .slice(0, 3);
   }
 
   ask(frame: number | undefined = this.asked[0]): void {
