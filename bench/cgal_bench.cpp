@@ -58,7 +58,7 @@ std::unique_ptr<CgalDeformer> cgal_deformer(SurfaceMesh& mesh, const rigless::Ce
                                             CGAL::get_initialized_halfedge_index_map(mesh),
                                             get(CGAL::vertex_point, mesh), SameWeights{&cells});
   for (const auto v : mesh.vertices()) out->insert_roi_vertex(v);
-  for (const auto& handle : pull.handles) out->insert_control_vertex(at(handle.vertex));
+  for (const auto& control : pull.controls) out->insert_control_vertex(at(control.vertex));
   return out;
 }
 
@@ -74,7 +74,7 @@ void against_cgal(Bench& bench, const Mesh& mesh) {
   Deformer<float> ours;
   const auto prepare = [&] {
     if (!ours.bind(rest, mesh.faces, {std::numeric_limits<float>::infinity(), {}}).ok() ||
-        !ours.set_handles(pull.handles).ok()) {
+        !ours.set_controls(pull.controls).ok()) {
       rigless_bench::fail("the deformer refused");
     }
   };
@@ -89,16 +89,16 @@ void against_cgal(Bench& bench, const Mesh& mesh) {
   // CGAL's turn leaves out its weights, its topology and its controls: preprocess() is ordering and factorisation.
   const bool large = mesh.vertices.size() > 20000;
   bench.compare(mesh.name,
-                {{"bind and set_handles", prepare},
+                {{"bind and set_controls", prepare},
                  {"CGAL preprocess", prepare_cgal, [&] { cgal = cgal_deformer(surface, cells, pull); }}},
                 large ? 5 : 9, large ? 1 : 3);
 
   // Both begin at rest with the controls already moved: CGAL's first solve is the deformer's first step.
   ours.set_targets(pull.targets);
-  for (std::size_t c = 0; c < pull.handles.size(); ++c) {
+  for (std::size_t c = 0; c < pull.controls.size(); ++c) {
     const auto& t = pull.targets[c];
-    cgal->set_target_position(at(pull.handles[c].vertex), Point(static_cast<double>(t.x()), static_cast<double>(t.y()),
-                                                                static_cast<double>(t.z())));
+    cgal->set_target_position(at(pull.controls[c].vertex), Point(static_cast<double>(t.x()), static_cast<double>(t.y()),
+                                                                 static_cast<double>(t.z())));
   }
   ours.step(30);
   cgal->deform(30, 0);

@@ -18,7 +18,8 @@ using Vec3f = rigless::Vec3<float>;
 
 Deformer<float> bound(const Mesh& mesh, const Pull<float>& pull, float elastic) {
   Deformer<float> deformer;
-  if (!deformer.bind(mesh.rest<float>(), mesh.faces, {elastic, {}}).ok() || !deformer.set_handles(pull.handles).ok()) {
+  if (!deformer.bind(mesh.rest<float>(), mesh.faces, {elastic, {}}).ok() ||
+      !deformer.set_controls(pull.controls).ok()) {
     rigless_bench::fail("the deformer refused");
   }
   deformer.set_targets(pull.targets);

@@ -10,8 +10,8 @@
 
 namespace {
 
+using rigless::Control;
 using rigless::Deformer;
-using rigless::Handle;
 using rigless::Span;
 using rigless_bench::Bench;
 using rigless_bench::Mesh;
@@ -27,7 +27,7 @@ void check(rigless::Status status) {
 Deformer<float> bound(const Mesh& mesh, const Pull<float>& pull, float elastic) {
   Deformer<float> deformer;
   check(deformer.bind(mesh.rest<float>(), mesh.faces, {elastic, {}}));
-  check(deformer.set_handles(pull.handles));
+  check(deformer.set_controls(pull.controls));
   deformer.set_targets(pull.targets);
   return deformer;
 }
@@ -38,7 +38,7 @@ void against_textbook(Bench& bench, const Mesh& mesh) {
   Deformer<float> ours = bound(mesh, pull, rigid);
   const rigless::Cells<double> cells = rigless_bench::in_double(ours.cells());
   std::vector<std::int32_t> controls;
-  for (const auto& handle : pull.handles) controls.push_back(handle.vertex);
+  for (const auto& control : pull.controls) controls.push_back(control.vertex);
   rigless_bench::TextbookArap textbook(cells, controls);
   if (!textbook.ok()) rigless_bench::fail("the textbook's system is singular");
   textbook.set_targets(rigless_bench::in_double(Span<const Vec3f>(pull.targets)));
@@ -175,7 +175,7 @@ void parts(Bench& bench, const Mesh& mesh) {
 }
 
 // A disc of about `size` vertices around this one.
-Handle<float> disc(const rigless::Cells<float>& cells, std::int32_t vertex, std::size_t size) {
+Control<float> disc(const rigless::Cells<float>& cells, std::int32_t vertex, std::size_t size) {
   const auto reached = rigless::vertices_within<float>(cells.rest, cells.ring, vertex, 1e30f);
   return {vertex, reached[std::min(size, reached.size()) - 1].distance};
 }
@@ -188,24 +188,24 @@ void controls(Bench& bench, const Mesh& mesh) {
   bench.run(
       mesh.name + ": bind", [&] { check(deformer.bind(rest, mesh.faces)); }, runs);
   bench.run(
-      mesh.name + ": bind and first set_handles",
+      mesh.name + ": bind and first set_controls",
       [&] {
         check(deformer.bind(rest, mesh.faces));
-        check(deformer.set_handles(pull.handles));
+        check(deformer.set_controls(pull.controls));
       },
       runs);
   // Where the new one sits in the elimination tree decides what it costs, so try it in many places.
   const auto n = static_cast<std::size_t>(deformer.vertices());
   for (const std::size_t size : {1, 150}) {
-    std::vector<std::vector<Handle<float>>> more;
+    std::vector<std::vector<Control<float>>> more;
     for (std::size_t k = 0; k < 12; ++k) {
-      more.push_back(pull.handles);
+      more.push_back(pull.controls);
       more.back().push_back(disc(deformer.cells(), static_cast<std::int32_t>((k * n + n / 3) / 12), size));
     }
     const std::string what = size == 1 ? "a vertex" : "a disc of 150 vertices";
     std::size_t k = 0;
-    const auto add = [&] { check(deformer.set_handles(more[k++ % more.size()])); };
-    const auto remove = [&] { check(deformer.set_handles(pull.handles)); };
+    const auto add = [&] { check(deformer.set_controls(more[k++ % more.size()])); };
+    const auto remove = [&] { check(deformer.set_controls(pull.controls)); };
     bench.run(mesh.name + ": add " + what, add, 60, remove);
     bench.run(mesh.name + ": remove " + what, remove, 60, add);
   }

@@ -17,12 +17,12 @@ struct Case {
   std::string name;
   std::vector<rigless::Vec3<float>> rest, targets;
   std::vector<rigless::Face> faces;
-  std::vector<rigless::Handle<float>> handles;
+  std::vector<rigless::Control<float>> controls;
 };
 
 Case make_case(const Mesh& mesh) {
   const auto pull = rigless_bench::pull<float>(mesh, 0.1f, 0.05f);
-  return {mesh.name, mesh.rest<float>(), pull.targets, mesh.faces, pull.handles};
+  return {mesh.name, mesh.rest<float>(), pull.targets, mesh.faces, pull.controls};
 }
 
 void write(const Case& drag, const std::string& folder) {
@@ -32,19 +32,19 @@ void write(const Case& drag, const std::string& folder) {
   };
   const std::int32_t counts[] = {static_cast<std::int32_t>(drag.rest.size()),
                                  static_cast<std::int32_t>(drag.faces.size()),
-                                 static_cast<std::int32_t>(drag.handles.size())};
+                                 static_cast<std::int32_t>(drag.controls.size())};
   put(counts, 3);
   put(drag.rest.data(), drag.rest.size());
   put(drag.faces.data(), drag.faces.size());
-  for (const auto& handle : drag.handles) put(&handle.vertex, 1);
-  for (const auto& handle : drag.handles) put(&handle.radius, 1);
+  for (const auto& control : drag.controls) put(&control.vertex, 1);
+  for (const auto& control : drag.controls) put(&control.radius, 1);
   put(drag.targets.data(), drag.targets.size());
   if (!out) rigless_bench::fail("cannot write to " + folder);
 }
 
 void measure(Bench& bench, const Case& drag) {
   rigless::Body<float> body;
-  if (!body.set_mesh(drag.rest, drag.faces).ok() || !body.set_controls(drag.handles).ok()) {
+  if (!body.set_mesh(drag.rest, drag.faces).ok() || !body.set_controls(drag.controls).ok()) {
     rigless_bench::fail("the body refused");
   }
   const auto move = [&](bool restart) {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "rigless/deform/discs.h"
-#include "rigless/mesh/measure.h"
+#include "rigless/deform/detail/discs.h"
+#include "rigless/mesh/detail/measure.h"
 
 namespace rigless_bench {
 
@@ -105,7 +105,7 @@ inline std::vector<Mesh> meshes(const std::vector<std::string>& files, const std
 // Ten controls, far apart in the file's own order, and where they are dragged: by up to `amplitude` heights.
 template <class S>
 struct Pull {
-  std::vector<rigless::Handle<S>> handles;
+  std::vector<rigless::Control<S>> controls;
   std::vector<Vec3<S>> targets;
 };
 
@@ -116,7 +116,7 @@ Pull<S> pull(const Mesh& mesh, S amplitude, S radius = S(0)) {
   const S height = rigless::bounds<S>(rest).height();
   for (int k = 0; k < 10; ++k) {
     const std::size_t v = rest.size() * static_cast<std::size_t>(2 * k + 1) / 20;
-    out.handles.push_back({static_cast<std::int32_t>(v), radius * height});
+    out.controls.push_back({static_cast<std::int32_t>(v), radius * height});
     const Vec3<S> by(static_cast<S>(k * 7 % 5 - 2), static_cast<S>(k * 3 % 5 - 2), static_cast<S>(k * 11 % 5 - 2));
     out.targets.push_back(rest[v] + amplitude * height / S(2) * by);
   }

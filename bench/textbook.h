@@ -8,7 +8,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "rigless/deform/cells.h"
+#include "rigless/deform/detail/cells.h"
 
 namespace rigless_bench {
 

@@ -12,14 +12,14 @@
 #include "rigless/deform/deformer.h"
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Warray-bounds"  // g++ 12 sees 32-byte loads in Eigen's copies of three doubles
-#include "rigless/deform/thesis_deformer.h"
+#include "rigless/thesis/thesis_deformer.h"
 #pragma GCC diagnostic pop
 
 namespace {
 
+using rigless::Control;
 using rigless::Deformer;
 using rigless::Face;
-using rigless::Handle;
 using rigless::LinearLaw;
 using rigless::Span;
 using rigless::Vec3;
@@ -235,7 +235,7 @@ std::vector<double> frames_per_second(const std::vector<std::function<void()>>& 
 Deformer<float> bound(const Mesh& mesh, const rigless_bench::Pull<float>& pull, double elastic) {
   Deformer<float> deformer;
   check(deformer.bind(mesh.rest<float>(), mesh.faces, {static_cast<float>(elastic), {}}));
-  check(deformer.set_handles(pull.handles));
+  check(deformer.set_controls(pull.controls));
   deformer.set_targets(pull.targets);
   return deformer;
 }
@@ -253,7 +253,7 @@ std::string table_row(Bench& bench, const Mesh& mesh, const Printed& printed) {
   const auto exact = rigless_bench::pull<double>(mesh, 0.1);
   Deformer<float> arap = bound(mesh, pull, rigid), cartoon = bound(mesh, pull, 0);
   std::vector<std::int32_t> controls;
-  for (const auto& handle : exact.handles) controls.push_back(handle.vertex);
+  for (const auto& control : exact.controls) controls.push_back(control.vertex);
   const auto literal = [&](double elastic) {
     Literal deformer;
     const auto& cells = arap.cells();
@@ -306,7 +306,7 @@ void table_4_1(Bench& bench, const Output& output) {
 
 // Controls by place
 
-struct Control {
+struct Pulled {
   Vec3d at, by;
   double radius = 0;
 };
@@ -320,18 +320,18 @@ std::int32_t nearest(const Mesh& mesh, const Vec3d& point) {
 }
 
 template <class S>
-rigless_bench::Pull<S> pull_of(const Mesh& mesh, const std::vector<Control>& controls, bool discs) {
+rigless_bench::Pull<S> pull_of(const Mesh& mesh, const std::vector<Pulled>& controls, bool discs) {
   rigless_bench::Pull<S> out;
-  for (const Control& c : controls) {
+  for (const Pulled& c : controls) {
     const std::int32_t v = nearest(mesh, c.at);
-    out.handles.push_back({v, static_cast<S>(discs ? c.radius : 0)});
+    out.controls.push_back({v, static_cast<S>(discs ? c.radius : 0)});
     out.targets.push_back((mesh.vertices[static_cast<std::size_t>(v)] + c.by).cast<S>());
   }
   return out;
 }
 
 // Top, right arm, left arm, the middle in front, and the whole bottom of the pot, which stays.
-std::vector<Control> cactus_controls(const std::array<Vec3d, 4>& by) {
+std::vector<Pulled> cactus_controls(const std::array<Vec3d, 4>& by) {
   return {{{0, 1.354, 0}, by[0], 0.17},
           {{-0.5689, 0.9642, 0.0119}, by[1], 0.07},
           {{0.5814, 1.1904, 0.0117}, by[2], 0.07},
@@ -373,7 +373,7 @@ struct Curve {
 Curve energy_curve(const Mesh& mesh, const rigless_bench::Pull<double>& pull, double elastic, int frames) {
   Deformer<double> deformer;
   check(deformer.bind(mesh.vertices, mesh.faces, {elastic, {}}));
-  check(deformer.set_handles(pull.handles));
+  check(deformer.set_controls(pull.controls));
   deformer.set_targets(pull.targets);
   deformer.step(1);
   Curve out;
@@ -424,7 +424,7 @@ void figure_4_3(Bench& bench, const Output& output) {
   for (const Set& set : sets) {
     const Curve arap = energy_curve(set.mesh, set.pull, rigid, 60), cartoon = energy_curve(set.mesh, set.pull, 0.0, 60);
     rigless_bench::Pull<float> pull;
-    for (const auto& handle : set.pull.handles) pull.handles.push_back({handle.vertex, 0.0f});
+    for (const auto& control : set.pull.controls) pull.controls.push_back({control.vertex, 0.0f});
     for (const Vec3d& target : set.pull.targets) pull.targets.push_back(target.cast<float>());
     Deformer<float> fast_arap = bound(set.mesh, pull, rigid), fast_cartoon = bound(set.mesh, pull, 0);
     const auto fps =
@@ -459,18 +459,18 @@ Vec3d move(const std::string& pose, const Vec3d& p) {
 
 // Ratio to the rest in the order of the columns of the table.
 std::vector<double> volumes(const Mesh& mesh, const std::string& pose) {
-  std::vector<Handle<double>> handles;
+  std::vector<Control<double>> controls;
   std::vector<Vec3d> targets;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3d& p = mesh.vertices[v];
     if (p.y() > 1e-9 && p.y() < 4 - 1e-9) continue;
-    handles.push_back({static_cast<std::int32_t>(v), 0.0});
+    controls.push_back({static_cast<std::int32_t>(v), 0.0});
     targets.push_back(move(pose, p));
   }
   const auto converged = [&](double elastic, int iterations) {
     Deformer<double> deformer;
     check(deformer.bind(mesh.vertices, mesh.faces, {elastic, {}}));
-    check(deformer.set_handles(handles));
+    check(deformer.set_controls(controls));
     deformer.set_targets(targets);
     deformer.step(1 + iterations);  // the first from rest is the naive Laplacian edit
     return deformer;
@@ -531,20 +531,20 @@ std::string json_surface(const Mesh& mesh, const std::string& name, Span<const V
                {"positions", json_triples(surface)}});
 }
 
-std::string json_surfaces(const Mesh& mesh, const std::vector<Control>& controls,
+std::string json_surfaces(const Mesh& mesh, const std::vector<Pulled>& controls,
                           const std::vector<std::string>& surfaces) {
   std::vector<std::int32_t> vertices;
-  for (const Control& c : controls) vertices.push_back(nearest(mesh, c.at));
+  for (const Pulled& c : controls) vertices.push_back(nearest(mesh, c.at));
   return json(
       {{"faces", json_triples(mesh.faces)}, {"controls", json_numbers(vertices)}, {"surfaces", json(surfaces)}});
 }
 
 // Large discs keep level, small ones turn with their surroundings.
-Deformer<double> relaxed(const Mesh& mesh, const std::vector<Control>& controls, double elastic, int iterations) {
+Deformer<double> relaxed(const Mesh& mesh, const std::vector<Pulled>& controls, double elastic, int iterations) {
   const auto pull = pull_of<double>(mesh, controls, true);
   Deformer<double> deformer;
   check(deformer.bind(mesh.vertices, mesh.faces, {elastic, {}}));
-  check(deformer.set_handles(pull.handles));
+  check(deformer.set_controls(pull.controls));
   deformer.set_targets(pull.targets);
   for (std::size_t c = 0; c < controls.size(); ++c) {
     if (controls[c].radius > 0.1) deformer.turn(static_cast<std::int32_t>(c), rigless::Mat3<double>::Identity());
@@ -572,7 +572,7 @@ void figure_4_1(const Output& output) {
 void figure_3_6(const Output& output) {
   const Mesh mesh = egg();
   const auto controls = [](double up) {
-    return std::vector<Control>{{{0, 0, 0}, {0, 0, 0}, 0.35}, {{0, 1.2, 0}, {0, up, 0}, 0.3}};
+    return std::vector<Pulled>{{{0, 0, 0}, {0, 0, 0}, 0.35}, {{0, 1.2, 0}, {0, up, 0}, 0.3}};
   };
   std::vector<std::string> surfaces = {json_surface(mesh, "rest", mesh.vertices)};
   const std::vector<std::pair<std::string, double>> poses = {{"squashed", -0.45}, {"stretched", 0.5}};

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# wasm/build.sh OUTPUT: the core as one .wasm file, and understand.wasm beside it. Surfaces are built for speed, motions for
+# wasm/build.sh OUTPUT: the core as one .wasm file, and shape-analysis.wasm beside it. Surfaces are built for speed, motions for
 # size. What must be inlined or held in vectors says so in its source: to leave the compiler few choices of its own costs no
 # speed (measured) and saves 30 kB. Performances are as fast by -O1 as by -O2, four times as fast as by -Oz, and 2 kB larger
 # than that. Who understands a mesh is not downloaded before there is one, and ten times as fast as by -Oz.
@@ -14,6 +14,6 @@ em++ "${flags[@]}" -O2 -mllvm -inline-threshold=25 -fno-vectorize -fno-slp-vecto
 em++ "${flags[@]}" -O1 -c wasm/performance.cpp -o "$objects/performance.o"
 em++ "${flags[@]}" -Oz -c wasm/motion.cpp -o "$objects/motion.o"
 em++ -Os "$objects"/{surface,performance,motion}.o "${link[@]}" -o "$objects/rigless.wasm"
-em++ "${flags[@]}" -O2 -DRIGLESS_ONCE= wasm/understanding.cpp "${link[@]}" -o "$objects/understand.wasm"
-mv "$objects/understand.wasm" "$(dirname "$1")/understand.wasm"
+em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp "${link[@]}" -o "$objects/shape-analysis.wasm"
+mv "$objects/shape-analysis.wasm" "$(dirname "$1")/shape-analysis.wasm"
 mv "$objects/rigless.wasm" "$1"

@@ -60,7 +60,7 @@ RIGLESS_EXPORT void body_report(ObjectHandle body, double* out) {
 // C vertices and geodesic radii. On failure the old controls stay.
 RIGLESS_EXPORT double body_set_controls(ObjectHandle body, const std::int32_t* vertices, const float* radii,
                                         std::int32_t count) {
-  std::vector<rigless::Handle<float>> controls;
+  std::vector<rigless::Control<float>> controls;
   for (std::int32_t c = 0; c < count; ++c) controls.push_back({vertices[c], radii[c]});
   return pack(bodies[body].set_controls(controls));
 }
@@ -97,7 +97,7 @@ RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_
   b.body = &bodies[body];
   const auto assign = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
   b.performance.frames = frames;
-  assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->deformer().handles()));
+  assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->deformer().controls()));
   assign(b.performance.yaw, view<float>(yaw, frames));
   assign(b.performance.travel, view<std::array<float, 2>>(travel, frames));
   assign(b.performance.flights, view<rigless::Flight>(flights, flight_count));

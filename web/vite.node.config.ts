@@ -6,12 +6,12 @@ import { defineConfig } from "vite";
 export default defineConfig({
   publicDir: false,
   ssr: { noExternal: true },
-  build: { ssr: "bin/cli.ts", outDir: "dist-node", target: "node20", rollupOptions: { output: { entryFileNames: "rigless.js" } } },
+  build: { ssr: "cli/cli.ts", outDir: "dist-node", target: "node20", rollupOptions: { output: { entryFileNames: "rigless.js" } } },
   plugins: [
     {
       name: "core",
       generateBundle() {
-        for (const fileName of ["rigless.wasm", "understand.wasm"]) {
+        for (const fileName of ["rigless.wasm", "shape-analysis.wasm"]) {
           this.emitFile({ type: "asset", fileName, source: readFileSync(new URL(`src/engine/${fileName}`, import.meta.url)) });
         }
       },

@@ -20,8 +20,8 @@ int main() {
   }
 
   rigless::Deformer<float> deformer;
-  const std::vector<rigless::Handle<float>> handles = {{0, 0.6f}, {34, 0.6f}};  // the lowest and the highest ring
-  if (!deformer.bind(vertices, faces).ok() || !deformer.set_handles(handles).ok()) return 1;
+  const std::vector<rigless::Control<float>> controls = {{0, 0.6f}, {34, 0.6f}};  // the lowest and the highest ring
+  if (!deformer.bind(vertices, faces).ok() || !deformer.set_controls(controls).ok()) return 1;
 
   const std::vector<Vec3> targets = {vertices[0], vertices[34] + Vec3(0.4f, 0.3f, 0.0f)};
   deformer.set_targets(targets);

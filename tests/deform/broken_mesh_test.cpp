@@ -4,7 +4,7 @@
 #include <random>
 
 #include "rigless/deform/deformer.h"
-#include "rigless/mesh/measure.h"
+#include "rigless/mesh/detail/measure.h"
 #include "support/cylinder.h"
 
 using namespace rigless;
@@ -21,13 +21,13 @@ void drag_around(const std::vector<Vec3<double>>& vertices, const std::vector<Fa
   Deformer<S> deformer;
   REQUIRE(deformer.bind(rest, faces).ok());
   const auto count = static_cast<std::int32_t>(rest.size());
-  const std::vector<Handle<S>> handles = {{0, S(0)}, {count / 2, S(0.1) * diagonal}, {count - 1, S(0.05) * diagonal}};
-  REQUIRE(deformer.set_handles(handles).ok());
+  const std::vector<Control<S>> controls = {{0, S(0)}, {count / 2, S(0.1) * diagonal}, {count - 1, S(0.05) * diagonal}};
+  REQUIRE(deformer.set_controls(controls).ok());
   std::mt19937 random(11);
   std::uniform_real_distribution<S> uniform(S(-0.3), S(0.3));
   for (int frame = 0; frame < 40; ++frame) {
     std::vector<Vec3<S>> targets;
-    for (const auto& h : handles) {
+    for (const auto& h : controls) {
       targets.push_back(rest[static_cast<std::size_t>(h.vertex)] +
                         diagonal * Vec3<S>(uniform(random), uniform(random), uniform(random)));
     }
@@ -35,8 +35,8 @@ void drag_around(const std::vector<Vec3<double>>& vertices, const std::vector<Fa
     if (frame % 3 == 0) deformer.start();
     frame % 2 ? deformer.step(2) : deformer.relax(4);
     deformer.pose(S(1));
-    for (std::size_t c = 0; c < handles.size(); ++c) {
-      const auto v = static_cast<std::size_t>(handles[c].vertex);
+    for (std::size_t c = 0; c < controls.size(); ++c) {
+      const auto v = static_cast<std::size_t>(controls[c].vertex);
       if (deformer.discs().owner[v] != static_cast<std::int32_t>(c)) continue;
       CHECK((deformer.positions()[v] - targets[c]).norm() <= S(1e-5) * diagonal);
     }
@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("a target that is no number leaves its control where it was",
   for (const auto& v : cylinder.vertices) rest.push_back(v.cast<S>());
   Deformer<S> deformer;
   REQUIRE(deformer.bind(rest, cylinder.faces).ok());
-  REQUIRE(deformer.set_handles(std::vector<Handle<S>>{{0, S(0.4)}, {100, S(0.4)}}).ok());
+  REQUIRE(deformer.set_controls(std::vector<Control<S>>{{0, S(0.4)}, {100, S(0.4)}}).ok());
   const Vec3<S> moved = rest[100] + Vec3<S>(S(0.5), S(0.5), S(0));
   deformer.set_targets(std::vector<Vec3<S>>{rest[0], moved});
   const S nan = std::numeric_limits<S>::quiet_NaN();
@@ -138,7 +138,7 @@ TEST_CASE("a shell without a control follows what is nearest") {
   }
   Deformer<double> deformer;
   REQUIRE(deformer.bind(body.vertices, body.faces).ok());
-  REQUIRE(deformer.set_handles(body.ends).ok());
+  REQUIRE(deformer.set_controls(body.ends).ok());
   const Vec3<double> shift(1.5, 0.5, 0);
   std::vector<Vec3<double>> targets;
   for (const auto& h : body.ends) {

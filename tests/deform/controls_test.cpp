@@ -21,7 +21,7 @@ TEST_CASE("a turned disc keeps its turn, a freed one turns with its surroundings
   const Cylinder cylinder(around, rows);
   Deformer<double> deformer;
   REQUIRE(deformer.bind(cylinder.vertices, cylinder.faces).ok());
-  REQUIRE(deformer.set_handles(std::vector<Handle<double>>{{at(0, 0), 0.5}, {at(20, 0), 0.5}}).ok());
+  REQUIRE(deformer.set_controls(std::vector<Control<double>>{{at(0, 0), 0.5}, {at(20, 0), 0.5}}).ok());
   const Mat3<double> quarter = Eigen::AngleAxisd(0.9, Vec3<double>::UnitY()).toRotationMatrix();
   deformer.turn(1, quarter);
   deformer.start();
@@ -52,7 +52,7 @@ TEST_CASE("a stiff region keeps its shape and the rest gives") {
     options.rigidity = rigidity;
     Deformer<double> deformer;
     REQUIRE(deformer.bind(cylinder.vertices, cylinder.faces, options).ok());
-    REQUIRE(deformer.set_handles(cylinder.ends).ok());
+    REQUIRE(deformer.set_controls(cylinder.ends).ok());
     deformer.set_targets(cylinder.stretched(1.5));
     deformer.start();
     deformer.relax(200);
@@ -113,7 +113,7 @@ TEST_CASE("a curve runs along the surface and passes smoothly through its knots"
     const auto v = static_cast<std::size_t>(curve.path()[p]);
     CHECK((targets[p] - cylinder.vertices[v] - Vec3<double>(0.3, 0.2, 0.1)).norm() < 1e-12);
   }
-  REQUIRE(deformer.set_handles(curve.handles()).ok());
+  REQUIRE(deformer.set_controls(curve.controls()).ok());
   deformer.set_targets(targets);
   deformer.start();
   deformer.relax(5);

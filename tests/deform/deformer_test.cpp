@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <limits>
 
-#include "rigless/deform/thesis_deformer.h"
-#include "rigless/mesh/measure.h"
+#include "rigless/mesh/detail/measure.h"
+#include "rigless/thesis/thesis_deformer.h"
 #include "support/alloc_count.h"
 #include "support/cylinder.h"
 #include "support/json.h"
@@ -30,9 +30,9 @@ template <class Weights>
 Deformer<double, Weights> bind_case(const json::Value& golden, double elastic) {
   Deformer<double, Weights> deformer;
   REQUIRE(deformer.bind(golden["vertices"].vec3s<double>(), golden["faces"].faces(), {elastic}).ok());
-  std::vector<Handle<double>> handles;
-  for (const std::int32_t v : golden["controls"].integers()) handles.push_back({v, 0.0});
-  REQUIRE(deformer.set_handles(handles).ok());
+  std::vector<Control<double>> controls;
+  for (const std::int32_t v : golden["controls"].integers()) controls.push_back({v, 0.0});
+  REQUIRE(deformer.set_controls(controls).ok());
   deformer.set_targets(golden["targets"].vec3s<double>());
   return deformer;
 }
@@ -135,7 +135,7 @@ TEST_CASE("turning discs agree with the golden case and never raise the energy")
   REQUIRE(deformer.bind(golden["vertices"].vec3s<double>(), golden["faces"].faces(), {infinite}).ok());
   const auto controls = golden["controls"].integers();
   // radii between the golden disc's last vertex and the next one outside
-  REQUIRE(deformer.set_handles(std::vector<Handle<double>>{{controls[0], 0.58}, {controls[1], 0.63}}).ok());
+  REQUIRE(deformer.set_controls(std::vector<Control<double>>{{controls[0], 0.58}, {controls[1], 0.63}}).ok());
   for (std::size_t c = 0; c < 2; ++c) {
     auto expected = golden["discs"][c].integers();
     std::sort(expected.begin(), expected.end());
@@ -220,7 +220,7 @@ TEST_CASE("volume: cartoon keeps at least half of what as-rigid-as-possible lose
     REQUIRE(arap.bind(cylinder.vertices, cylinder.faces, {infinite}).ok());
     REQUIRE(cartoon.bind(cylinder.vertices, cylinder.faces).ok());
     for (auto* d : {&arap, &cartoon}) {
-      REQUIRE(d->set_handles(cylinder.ends).ok());
+      REQUIRE(d->set_controls(cylinder.ends).ok());
       d->set_targets(cylinder.stretched(factor));
       d->step(factor < 1 ? 5 : 40);
     }
@@ -246,7 +246,7 @@ TEST_CASE_TEMPLATE("stepping, posing, resetting and setting targets allocate not
   for (const auto& v : cylinder.vertices) vertices.push_back(v.cast<S>());
   Deformer<S> deformer;
   REQUIRE(deformer.bind(vertices, cylinder.faces).ok());
-  REQUIRE(deformer.set_handles(std::vector<Handle<S>>{{0, S(0.6)}, {200, S(0.6)}, {310, S(0.6)}}).ok());
+  REQUIRE(deformer.set_controls(std::vector<Control<S>>{{0, S(0.6)}, {200, S(0.6)}, {310, S(0.6)}}).ok());
   const std::vector<Vec3<S>> targets = {{2, 0, 0}, {0, 3, 1}, {0, 5, 0}};
   const auto before = test::allocation_count;
   deformer.set_targets(targets);
@@ -263,7 +263,7 @@ TEST_CASE("bad input is refused by name, and the present binding goes on") {
   Deformer<double> deformer;
   CHECK(deformer.bind(cylinder.vertices, {}).error == Error::no_faces);
   REQUIRE(deformer.bind(cylinder.vertices, cylinder.faces).ok());
-  REQUIRE(deformer.set_handles(cylinder.ends).ok());
+  REQUIRE(deformer.set_controls(cylinder.ends).ok());
   deformer.set_targets(cylinder.stretched(1.3));
   deformer.step(2);
   const Points before(deformer.shape().begin(), deformer.shape().end());
@@ -278,8 +278,8 @@ TEST_CASE("bad input is refused by name, and the present binding goes on") {
   const Status finite = deformer.bind(broken, cylinder.faces);
   CHECK(finite.error == Error::not_finite);
   CHECK(finite.where == 5);
-  CHECK(deformer.set_handles({}).error == Error::no_controls);
-  CHECK(deformer.set_handles(std::vector<Handle<double>>{{0, 0.0}, {-1, 0.0}}).where == 1);
+  CHECK(deformer.set_controls({}).error == Error::no_controls);
+  CHECK(deformer.set_controls(std::vector<Control<double>>{{0, 0.0}, {-1, 0.0}}).where == 1);
 
   CHECK(worst(deformer.shape(), before) == 0);
   deformer.step(1);
@@ -300,7 +300,7 @@ TEST_CASE("two shells and a lonely vertex move together with one control") {
   cylinder.vertices.push_back({0, 6, 0});
   Deformer<double> deformer;
   REQUIRE(deformer.bind(cylinder.vertices, cylinder.faces).ok());
-  REQUIRE(deformer.set_handles(std::vector<Handle<double>>{{0, 0.9}}).ok());
+  REQUIRE(deformer.set_controls(std::vector<Control<double>>{{0, 0.9}}).ok());
   const Vec3<double> shift(1, 2, 3);
   deformer.set_targets(Points{cylinder.vertices[0] + shift});
   deformer.start();

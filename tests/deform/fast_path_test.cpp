@@ -6,8 +6,8 @@
 #include <string>
 
 #include "rigless/deform/deformer.h"
-#include "rigless/deform/thesis_deformer.h"
-#include "rigless/mesh/measure.h"
+#include "rigless/mesh/detail/measure.h"
+#include "rigless/thesis/thesis_deformer.h"
 #include "support/json.h"
 
 using namespace rigless;
@@ -94,25 +94,25 @@ template <class S>
 Comparison compare(const Mesh& mesh, double mu) {
   const double diagonal = bounds<double>(mesh.vertices).diagonal();
   const OneRing ring = one_ring(mesh.faces, static_cast<std::int32_t>(mesh.vertices.size()));
-  const std::vector<std::int32_t> controls = extremes(mesh.vertices);
-  REQUIRE(controls.size() >= 5);
-  std::vector<Handle<S>> handles;
+  const std::vector<std::int32_t> ends = extremes(mesh.vertices);
+  REQUIRE(ends.size() >= 5);
+  std::vector<Control<S>> controls;
   std::vector<Vec3<S>> targets;
-  for (std::size_t c = 0; c < controls.size(); ++c) {
+  for (std::size_t c = 0; c < ends.size(); ++c) {
     const auto angle = static_cast<double>(c);
     const Vec3<double> way(std::cos(3 * angle), std::sin(2 * angle), std::sin(5 * angle));
-    handles.push_back({controls[c], S(0)});
-    targets.push_back((mesh.vertices[static_cast<std::size_t>(controls[c])] + 0.15 * diagonal * way).cast<S>());
+    controls.push_back({ends[c], S(0)});
+    targets.push_back((mesh.vertices[static_cast<std::size_t>(ends[c])] + 0.15 * diagonal * way).cast<S>());
   }
   ThesisDeformer<double, RowReplacement<double>> reference;
   REQUIRE(reference
-              .bind(mesh.vertices, ring, cotangent_weights<double>(mesh.vertices, mesh.faces, ring), controls, {}, {mu})
+              .bind(mesh.vertices, ring, cotangent_weights<double>(mesh.vertices, mesh.faces, ring), ends, {}, {mu})
               .ok());
   reference.set_targets(cast<double, S>(targets));
   reference.step(30);
   Deformer<S> fast;
   REQUIRE(fast.bind(cast<S, double>(mesh.vertices), mesh.faces, {static_cast<S>(mu)}).ok());
-  REQUIRE(fast.set_handles(handles).ok());
+  REQUIRE(fast.set_controls(controls).ok());
   fast.set_targets(targets);
   fast.step(30);
 

@@ -1,4 +1,4 @@
-#include "rigless/math/dense_solve.h"
+#include "rigless/math/detail/dense_solve.h"
 
 #include <doctest/doctest.h>
 

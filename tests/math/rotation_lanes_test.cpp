@@ -1,4 +1,4 @@
-#include "rigless/math/rotation_lanes.h"
+#include "rigless/math/detail/rotation_lanes.h"
 
 #include <doctest/doctest.h>
 

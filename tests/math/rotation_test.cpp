@@ -1,4 +1,4 @@
-#include "rigless/math/rotation.h"
+#include "rigless/math/detail/rotation.h"
 
 #include <doctest/doctest.h>
 

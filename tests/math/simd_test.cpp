@@ -1,4 +1,4 @@
-#include "rigless/math/simd.h"
+#include "rigless/math/detail/simd.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rigless/math/sparse_ldlt.h"
+#include "rigless/math/detail/sparse_ldlt.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "rigless/math/supernodal_ldlt.h"
+#include "rigless/math/detail/supernodal_ldlt.h"
 
 #include <doctest/doctest.h>
 
 #include <random>
 
-#include "rigless/math/sparse_ldlt.h"
+#include "rigless/math/detail/sparse_ldlt.h"
 #include "support/alloc_count.h"
 
 using namespace rigless;

@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
-#include "rigless/mesh/geodesic.h"
+#include "rigless/mesh/detail/geodesic.h"
+#include "rigless/mesh/detail/laplacian.h"
+#include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/inspect.h"
-#include "rigless/mesh/laplacian.h"
-#include "rigless/mesh/measure.h"
 #include "support/json.h"
 
 using namespace rigless;

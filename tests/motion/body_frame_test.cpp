@@ -1,4 +1,4 @@
-#include "rigless/motion/body_frame.h"
+#include "rigless/motion/detail/body_frame.h"
 
 #include <doctest/doctest.h>
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "rigless/motion/detail/units.h"
 #include "rigless/motion/parse_acclaim.h"
 #include "rigless/motion/parse_bvh.h"
-#include "rigless/motion/units.h"
 #include "sample_motions.h"
 #include "support/json.h"
 

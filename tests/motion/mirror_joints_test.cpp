@@ -1,4 +1,4 @@
-#include "rigless/motion/mirror_joints.h"
+#include "rigless/motion/detail/mirror_joints.h"
 
 #include <doctest/doctest.h>
 

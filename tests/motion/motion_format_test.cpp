@@ -1,4 +1,4 @@
-#include "rigless/motion/motion_format.h"
+#include "rigless/motion/detail/motion_format.h"
 
 #include <doctest/doctest.h>
 

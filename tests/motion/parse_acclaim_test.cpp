@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "rigless/motion/body_frame.h"
+#include "rigless/motion/detail/body_frame.h"
 #include "sample_motions.h"
 #include "support/json.h"
 

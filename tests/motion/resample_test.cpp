@@ -1,4 +1,4 @@
-#include "rigless/motion/resample.h"
+#include "rigless/motion/detail/resample.h"
 
 #include <doctest/doctest.h>
 

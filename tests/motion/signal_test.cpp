@@ -1,4 +1,4 @@
-#include "rigless/motion/signal.h"
+#include "rigless/motion/detail/signal.h"
 
 #include <doctest/doctest.h>
 

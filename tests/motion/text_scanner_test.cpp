@@ -1,4 +1,4 @@
-#include "rigless/motion/text_scanner.h"
+#include "rigless/motion/detail/text_scanner.h"
 
 #include <doctest/doctest.h>
 

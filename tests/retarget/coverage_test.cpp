@@ -1,11 +1,11 @@
-#include "rigless/retarget/coverage.h"
+#include "rigless/retarget/detail/coverage.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "rigless/retarget/key_poses.h"
+#include "rigless/retarget/detail/key_poses.h"
 
 using rigless::Vec3;
 

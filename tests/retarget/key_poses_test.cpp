@@ -1,4 +1,4 @@
-#include "rigless/retarget/key_poses.h"
+#include "rigless/retarget/detail/key_poses.h"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "rigless/retarget/bounded_spacetime.h"
+#include "rigless/retarget/detail/bounded_spacetime.h"
 
 using rigless::Vec3;
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/retarget/spacetime.h"
+#include "rigless/retarget/detail/spacetime.h"
 #include "support/json.h"
 
 using rigless::Vec3;

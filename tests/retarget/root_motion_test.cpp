@@ -1,13 +1,13 @@
-#include "rigless/retarget/root_motion.h"
+#include "rigless/retarget/detail/root_motion.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-#include "rigless/retarget/flight.h"
-#include "rigless/retarget/foot_lock.h"
-#include "rigless/retarget/slip.h"
+#include "rigless/retarget/detail/flight.h"
+#include "rigless/retarget/detail/foot_lock.h"
+#include "rigless/retarget/detail/slip.h"
 #include "support/json.h"
 
 using rigless::Vec3;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/retarget/bounded_spacetime.h"
+#include "rigless/retarget/detail/bounded_spacetime.h"
 #include "support/json.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "rigless/retarget/spacetime.h"
+#include "rigless/retarget/detail/spacetime.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "rigless/retarget/band_solver.h"
+#include "rigless/retarget/detail/band_solver.h"
 #include "support/alloc_count.h"
 
 using rigless::Vec3;

@@ -1,4 +1,4 @@
-#include "rigless/retarget/starter_examples.h"
+#include "rigless/retarget/detail/starter_examples.h"
 
 #include <doctest/doctest.h>
 

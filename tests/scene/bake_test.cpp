@@ -43,7 +43,8 @@ TEST_CASE_TEMPLATE("a walking cow stands on the floor and does not slide", S, fl
     const S ratio = spot.body.volume_ratio(bake.positions());
     ratio_low = std::min(ratio_low, ratio);
     ratio_high = std::max(ratio_high, ratio);
-    for (const auto& handle : spot.handles) held.push_back(bake.positions()[static_cast<std::size_t>(handle.vertex)]);
+    for (const auto& control : spot.controls)
+      held.push_back(bake.positions()[static_cast<std::size_t>(control.vertex)]);
   }
   const Slip<S> slip = measure_slip<S>(held, performance.contacts, static_cast<std::int32_t>(controls), S(30));
   MESSAGE("slip " << slip.mean / spot.height << " mean, " << slip.maximum / spot.height << " heights/s at most; before "

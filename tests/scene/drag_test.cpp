@@ -1,4 +1,4 @@
-#include "rigless/scene/drag.h"
+#include "rigless/scene/detail/drag.h"
 
 #include <doctest/doctest.h>
 
@@ -25,7 +25,7 @@ struct Swing {
     for (const auto& v : cylinder.vertices) rest.push_back(v.cast<S>());
     REQUIRE(deformer.bind(rest, cylinder.faces).ok());
     const auto low = static_cast<std::int32_t>(rest.size()) - 2, high = low + 1;
-    REQUIRE(deformer.set_handles(std::vector<Handle<S>>{{low, S(0.6)}, {high, S(0.6)}}).ok());
+    REQUIRE(deformer.set_controls(std::vector<Control<S>>{{low, S(0.6)}, {high, S(0.6)}}).ok());
     targets = {rest[static_cast<std::size_t>(low)], rest[static_cast<std::size_t>(high)]};
     drag.bind(deformer);
   }

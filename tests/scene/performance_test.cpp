@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rigless/retarget/mirror_examples.h"
+#include "rigless/retarget/detail/mirror_examples.h"
 #include "rigless/scene/performance_builder.h"
 
 using namespace rigless;

@@ -27,7 +27,7 @@ struct SpotWalk {
   std::vector<Face> faces;
   S height = 0;
   Body<S> body;
-  std::vector<Handle<S>> handles;
+  std::vector<Control<S>> controls;
   std::vector<std::int32_t> pairs;
   StagedMotion<double> motion;
 
@@ -43,12 +43,12 @@ struct SpotWalk {
   }
 
   Status perform(const PerformanceSettings<double>& settings, Performance<S>& out) const {
-    std::vector<Vec3<double>> controls;
-    for (const Vec3<S>& p : body.rest_controls()) controls.push_back(p.template cast<double>());
+    std::vector<Vec3<double>> resting;
+    for (const Vec3<S>& p : body.rest_controls()) resting.push_back(p.template cast<double>());
     PerformanceInput<double> input;
     input.motion = &motion;
     input.pairs = pairs;
-    input.rest = controls;
+    input.rest = resting;
     input.height = static_cast<double>(height);
     input.settings = settings;
     Performance<double> performance;
@@ -102,12 +102,12 @@ struct SpotWalk {
       for (std::size_t v = 0; v < rest.size(); ++v) {
         if ((rest[v] - place).squaredNorm() < (rest[nearest] - place).squaredNorm()) nearest = v;
       }
-      handles.push_back({static_cast<std::int32_t>(nearest), S(0.05) * height});
+      controls.push_back({static_cast<std::int32_t>(nearest), S(0.05) * height});
       const auto& names = motion.clip.skeleton.names;
       const auto found = std::find(names.begin(), names.end(), joint);
       pairs.push_back(found == names.end() ? -1 : static_cast<std::int32_t>(found - names.begin()));
     }
-    return body.set_controls(handles).ok();
+    return body.set_controls(controls).ok();
   }
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rigless/deform/discs.h"
+#include "rigless/deform/detail/discs.h"
 
 namespace rigless::test {
 
@@ -12,7 +12,7 @@ namespace rigless::test {
 struct Cylinder {
   std::vector<Vec3<double>> vertices;
   std::vector<Face> faces;
-  std::vector<Handle<double>> ends;
+  std::vector<Control<double>> ends;
 
   Cylinder(int around, int rows) {
     const double turn = 2 * std::acos(-1.0) / around;

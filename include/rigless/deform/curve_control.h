@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "rigless/deform/discs.h"
+#include "rigless/deform/detail/discs.h"
 
 namespace rigless {
 
@@ -18,10 +18,10 @@ class CurveControl {
   // infeasible (knot k cannot be reached from the one before it, or is the same vertex).
   Status bind(const Cells<S>& cells, Span<const std::int32_t> knots);
 
-  // One handle for each path vertex, of that vertex alone: to be given to the deformer among its others. Allocates.
-  std::vector<Handle<S>> handles() const;
+  // One control for each path vertex, of that vertex alone: to be given to the deformer among its others. Allocates.
+  std::vector<Control<S>> controls() const;
 
-  // Where the path goes when the knots go to `knots` (K): P targets in the order of handles(). No allocation.
+  // Where the path goes when the knots go to `knots` (K): P targets in the order of controls(). No allocation.
   void targets(Span<const Vec3<S>> knots, Span<Vec3<S>> out) const;
 
   std::size_t knot_count() const { return knot_rest_.size(); }
@@ -127,8 +127,8 @@ Status CurveControl<S>::bind(const Cells<S>& cells, Span<const std::int32_t> kno
 }
 
 template <class S>
-std::vector<Handle<S>> CurveControl<S>::handles() const {
-  std::vector<Handle<S>> out;
+std::vector<Control<S>> CurveControl<S>::controls() const {
+  std::vector<Control<S>> out;
   for (const std::int32_t v : path_) out.push_back({v, S(0)});
   return out;
 }

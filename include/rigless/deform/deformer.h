@@ -1,13 +1,14 @@
-// Cartoon deformation of a surface by a few control points: bind a mesh, set handles, then targets and steps per frame.
+// Cartoon deformation of a surface by a few control points: bind a mesh, set controls, then targets and steps per
+// frame.
 #pragma once
 
-#include "rigless/deform/build_cells.h"
-#include "rigless/deform/discs.h"
-#include "rigless/deform/hard_rows.h"
-#include "rigless/deform/local_step.h"
-#include "rigless/deform/pose_step.h"
-#include "rigless/deform/volume_law.h"
-#include "rigless/math/bytes.h"
+#include "rigless/deform/detail/build_cells.h"
+#include "rigless/deform/detail/discs.h"
+#include "rigless/deform/detail/hard_rows.h"
+#include "rigless/deform/detail/local_step.h"
+#include "rigless/deform/detail/pose_step.h"
+#include "rigless/deform/detail/volume_law.h"
+#include "rigless/math/detail/bytes.h"
 
 namespace rigless {
 
@@ -31,15 +32,15 @@ struct ShapeState {
 template <class S, class Weights = CotangentWeights>
 class Deformer {
  public:
-  // Binds V rest vertices and F faces; forgets handles. Allocates. Broken meshes are accepted: shells are tied to what
+  // Binds V rest vertices and F faces; forgets controls. Allocates. Broken meshes are accepted: shells are tied to what
   // is nearest, isolated vertices too. On failure the old binding stays.
   // Errors: no_faces; index_out_of_range (face); not_finite (vertex, also for a rigidity that is not above 0);
   // size_mismatch (rigidity).
-  RIGLESS_ONCE Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
+  RIGLESS_COLD Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
-  // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old handles stay.
+  // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old controls stay.
   // Errors: no_controls; index_out_of_range (control); factorization_failed.
-  RIGLESS_ONCE Status set_handles(Span<const Handle<S>> handles);
+  RIGLESS_COLD Status set_controls(Span<const Control<S>> controls);
 
   // C target positions of the controls. One that is not finite is not taken: its control stays where it was told to be
   // before. No allocation.
@@ -60,7 +61,7 @@ class Deformer {
   // Starts the next step() from this surface (V) with unturned discs. No allocation.
   void set_shape(Span<const Vec3<S>> surface);
 
-  // Keeps the present shape, and goes on from one that was kept under the same handles, as if nothing had happened
+  // Keeps the present shape, and goes on from one that was kept under the same controls, as if nothing had happened
   // since; shape() follows with the next step(). keep() allocates the first time, resume() never.
   void keep(ShapeState<S>& state) const;
   void resume(const ShapeState<S>& state);
@@ -86,7 +87,7 @@ class Deformer {
   const Discs& discs() const { return discs_; }
   const Cells<S>& cells() const { return cells_; }
   std::int32_t vertices() const { return static_cast<std::int32_t>(cells_.size()); }
-  std::int32_t handles() const { return static_cast<std::int32_t>(discs_.size()); }
+  std::int32_t controls() const { return static_cast<std::int32_t>(discs_.size()); }
 
   // Of the shape state, at its present surface. No allocation.
   double energy() { return shape_energy(slices_, x_.data(), elastic_); }
@@ -144,17 +145,17 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
 }
 
 template <class S, class Weights>
-Status Deformer<S, Weights>::set_handles(Span<const Handle<S>> handles) {
+Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
   Discs discs;
-  if (const Status s = make_discs(cells_, handles, discs); !s.ok()) return s;
+  if (const Status s = make_discs(cells_, controls, discs); !s.ok()) return s;
   if (const Status s = system_.hold(cells_, discs_, discs); !s.ok()) return s;
   discs_ = std::move(discs);
   seams_ = find_seams(cells_, discs_);
   moved_.assign(discs_.member.size(), Quad{});
   targets_.clear();
   for (std::int32_t v : discs_.center) targets_.push_back(cells_.rest[static_cast<std::size_t>(v)]);
-  disc_rotation_.assign(handles.size(), Mat3<S>::Identity());
-  turned_.assign(handles.size(), 0);
+  disc_rotation_.assign(controls.size(), Mat3<S>::Identity());
+  turned_.assign(controls.size(), 0);
   reset();
   return {};
 }

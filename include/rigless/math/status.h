@@ -9,11 +9,11 @@
 
 // Marks what runs once for each mesh: in a wasm module, where every byte is downloaded, it is built for size, unless a
 // build says otherwise.
-#if defined(RIGLESS_ONCE)
+#if defined(RIGLESS_COLD)
 #elif defined(__wasm__)
-#define RIGLESS_ONCE __attribute__((minsize, noinline))
+#define RIGLESS_COLD __attribute__((minsize, noinline))
 #else
-#define RIGLESS_ONCE
+#define RIGLESS_COLD
 #endif
 
 // Marks the small functions of inner loops that hand whole registers to each other: g++ gives up on them when several

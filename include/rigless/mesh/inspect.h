@@ -1,7 +1,7 @@
 // What a mesh is like, before anyone solves on it: the facts that a user is told.
 #pragma once
 
-#include "rigless/mesh/shells.h"
+#include "rigless/mesh/detail/shells.h"
 
 namespace rigless {
 
@@ -16,7 +16,7 @@ struct MeshTopology {
 };
 
 // Counts over faces whose indices were checked. Allocates.
-RIGLESS_ONCE inline MeshTopology inspect_mesh(Span<const Face> faces, std::int32_t vertices) {
+RIGLESS_COLD inline MeshTopology inspect_mesh(Span<const Face> faces, std::int32_t vertices) {
   MeshTopology t;
   std::vector<std::array<std::int32_t, 2>> edges;
   edges.reserve(3 * faces.size());

@@ -10,8 +10,8 @@
 
 #include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/signal.h"
 #include "rigless/motion/joint_roles.h"
-#include "rigless/motion/signal.h"
 
 namespace rigless {
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/motion/body_frame.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/body_frame.h"
 
 namespace rigless {
 

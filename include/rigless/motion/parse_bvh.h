@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "rigless/math/status.h"
-#include "rigless/motion/bvh_hierarchy.h"
 #include "rigless/motion/clip.h"
-#include "rigless/motion/euler.h"
-#include "rigless/motion/parse_notes.h"
-#include "rigless/motion/text_scanner.h"
+#include "rigless/motion/detail/bvh_hierarchy.h"
+#include "rigless/motion/detail/euler.h"
+#include "rigless/motion/detail/parse_notes.h"
+#include "rigless/motion/detail/text_scanner.h"
 
 namespace rigless {
 

@@ -5,10 +5,10 @@
 
 #include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/root_axes.h"
+#include "rigless/motion/detail/units.h"
+#include "rigless/motion/detail/up_axis.h"
 #include "rigless/motion/joint_roles.h"
-#include "rigless/motion/root_axes.h"
-#include "rigless/motion/units.h"
-#include "rigless/motion/up_axis.h"
 
 namespace rigless {
 

@@ -11,9 +11,9 @@
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
+#include "rigless/retarget/detail/features.h"
+#include "rigless/retarget/detail/spacetime.h"
 #include "rigless/retarget/example.h"
-#include "rigless/retarget/features.h"
-#include "rigless/retarget/spacetime.h"
 
 namespace rigless {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "rigless/retarget/flight.h"
-#include "rigless/scene/drag.h"
+#include "rigless/retarget/detail/flight.h"
+#include "rigless/scene/detail/drag.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {
@@ -24,7 +24,7 @@ class Bake {
 
   // `volume` is lambda_v. The deformer must have the performance's controls; both must outlive this. Allocates.
   void bind(Deformer<S>& deformer, const Performance<S>& performance, S volume) {
-    RIGLESS_ASSERT(performance.control_count() == static_cast<std::size_t>(deformer.handles()));
+    RIGLESS_ASSERT(performance.control_count() == static_cast<std::size_t>(deformer.controls()));
     deformer_ = &deformer;
     performance_ = &performance;
     volume_ = volume;

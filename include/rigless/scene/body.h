@@ -3,9 +3,9 @@
 
 #include <limits>
 
+#include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/inspect.h"
-#include "rigless/mesh/measure.h"
-#include "rigless/scene/drag.h"
+#include "rigless/scene/detail/drag.h"
 
 namespace rigless {
 
@@ -24,11 +24,11 @@ class Body {
     return {};
   }
 
-  // C controls. Allocates. Errors: those of Deformer::set_handles(). On failure the old controls stay.
-  Status set_controls(Span<const Handle<S>> controls) {
-    if (const Status status = deformer_.set_handles(controls); !status.ok()) return status;
+  // C controls. Allocates. Errors: those of Deformer::set_controls(). On failure the old controls stay.
+  Status set_controls(Span<const Control<S>> controls) {
+    if (const Status status = deformer_.set_controls(controls); !status.ok()) return status;
     controls_.clear();
-    for (const Handle<S>& c : controls) controls_.push_back(rest_[static_cast<std::size_t>(c.vertex)]);
+    for (const Control<S>& c : controls) controls_.push_back(rest_[static_cast<std::size_t>(c.vertex)]);
     drag_.bind(deformer_);
     return {};
   }

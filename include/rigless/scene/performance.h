@@ -6,8 +6,8 @@
 
 #include "rigless/math/types.h"
 #include "rigless/motion/contacts.h"
-#include "rigless/retarget/coverage.h"
-#include "rigless/retarget/slip.h"
+#include "rigless/retarget/detail/coverage.h"
+#include "rigless/retarget/detail/slip.h"
 
 namespace rigless {
 

@@ -1,13 +1,13 @@
 // From a motion and examples to a performance.
 #pragma once
 
-#include "rigless/motion/mirror_joints.h"
-#include "rigless/retarget/foot_lock.h"
-#include "rigless/retarget/mirror_examples.h"
+#include "rigless/motion/detail/mirror_joints.h"
+#include "rigless/retarget/detail/foot_lock.h"
+#include "rigless/retarget/detail/mirror_examples.h"
+#include "rigless/retarget/detail/root_motion.h"
+#include "rigless/retarget/detail/starter_examples.h"
 #include "rigless/retarget/retarget.h"
-#include "rigless/retarget/root_motion.h"
-#include "rigless/retarget/starter_examples.h"
-#include "rigless/scene/standing_controls.h"
+#include "rigless/scene/detail/standing_controls.h"
 
 namespace rigless {
 

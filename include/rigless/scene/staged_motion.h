@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "rigless/motion/body_frame.h"
 #include "rigless/motion/contacts.h"
-#include "rigless/motion/resample.h"
+#include "rigless/motion/detail/body_frame.h"
+#include "rigless/motion/detail/resample.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {

@@ -2,7 +2,7 @@
 
 import { readModel } from "../../src/io/read-model";
 import { Viewport } from "../../src/viewport/viewport";
-import type { Dot, DrawnModel } from "../../src/viewport/types";
+import type { PointMark, DrawnModel } from "../../src/viewport/types";
 
 interface Surfaces {
   faces: number[];
@@ -27,7 +27,7 @@ window.draw = async (data, labels, skin) => {
     positions: Float32Array.from({ length: 3 * one.toVertex.length }, (_, i) => widest[3 * one.toVertex[Math.floor(i / 3)] + (i % 3)]),
     faces: Uint32Array.from(data.faces),
   };
-  const dots = data.controls.map((vertex, c): Dot => ({ id: String(c), number: c + 1, name: "", vertex, joint: -1 }));
+  const dots = data.controls.map((vertex, c): PointMark => ({ id: String(c), number: c + 1, name: "", vertex, joint: -1 }));
   for (const [k, positions] of figures.entries()) {
     const panel = document.createElement("figure");
     const stage = document.createElement("div");
@@ -42,7 +42,7 @@ window.draw = async (data, labels, skin) => {
       viewport.setVertices(shape);
       await frames(3);
     }
-    viewport.setDots(dots, null);
+    viewport.setPoints(dots, null);
     await frames(3);
   }
 };

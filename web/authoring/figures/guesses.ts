@@ -34,7 +34,7 @@ window.drawGuess = async ({ model: modelUrl, motion: motionUrls, frames }) => {
   present = newDocument("", { file, facing: "+z", up: "+y" }, { files });
   await workspace.tryOn(present);
   await workspace.sync();
-  const guess = guessPoints(model, await workspace.understand(model), workspace.motion!.joints);
+  const guess = guessPoints(model, await workspace.analyseShape(model), workspace.motion!.joints);
   present = { ...present, mesh: { file, ...guess.mesh }, points: guess.points };
   await workspace.sync();
   const figure = await theModel(model, present, workspace);

@@ -58,7 +58,7 @@ export interface Settings {
   readonly symmetry: boolean;
 }
 
-/** A wish about one point at one frame of a clip. */
+/** A constraint about one point at one frame of a clip. */
 export interface Pin {
   readonly id: string;
   readonly point: string;

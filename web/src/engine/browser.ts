@@ -7,7 +7,7 @@ import type { Engine } from "./types";
 export function createBrowserEngine(): Engine {
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "rigless" });
   return new EngineClient(worker as WorkerPort, fetchBytes(new URL("./rigless.wasm", import.meta.url)), () =>
-    fetchBytes(new URL("./understand.wasm", import.meta.url)),
+    fetchBytes(new URL("./shape-analysis.wasm", import.meta.url)),
   );
 }
 

@@ -13,7 +13,7 @@ import type {
   MotionInput,
   Performance,
   RetargetInput,
-  Understanding,
+  ShapeAnalysis,
 } from "./types";
 
 /** A Worker, or what stands for one in Node. */
@@ -38,11 +38,11 @@ export class EngineClient implements Engine {
   #lastId = 0;
   #lost: EngineError | null = null;
 
-  /** `wasm`: the bytes of rigless.wasm; taken over. `understandWasm` gets those of understand.wasm when they are needed. */
+  /** `wasm`: the bytes of rigless.wasm; taken over. `shapeAnalysisWasm` gets those of shape-analysis.wasm when they are needed. */
   constructor(
     port: WorkerPort,
     wasm: ArrayBuffer | Promise<ArrayBuffer>,
-    readonly understandWasm: () => Promise<ArrayBuffer>,
+    readonly shapeAnalysisWasm: () => Promise<ArrayBuffer>,
   ) {
     this.#port = port;
     port.onmessage = (event) => this.#hear(event.data);
@@ -58,11 +58,11 @@ export class EngineClient implements Engine {
     return this.#call("setMesh", mesh, options);
   }
 
-  async understand(mesh: MeshInput, options?: CallOptions): Promise<Understanding> {
-    const wasm = await this.understandWasm().catch((error: unknown) => {
+  async analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis> {
+    const wasm = await this.shapeAnalysisWasm().catch((error: unknown) => {
       throw new EngineError("bad_mesh", `What looks at models could not be loaded: ${String(error)}.`);
     });
-    return this.#call("understand", { mesh, wasm }, options);
+    return this.#call("analyseShape", { mesh, wasm }, options);
   }
 
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void> {

@@ -206,16 +206,16 @@ export class Core {
     const [frames = 0] = this.#doubles(1);
     const { constraints = [], contacts = [], flights = null, mirror = null, mirrorPlane = null } = input;
     const isControl = (control: number) => Number.isInteger(control) && control >= 0 && control < this.#controls;
-    constraints.forEach((wish, n) => {
-      const { kind, control, frame } = wish;
-      const numbers = kind === "position" ? wish.value : [];
+    constraints.forEach((constraint, n) => {
+      const { kind, control, frame } = constraint;
+      const numbers = kind === "position" ? constraint.value : [];
       if (!isControl(control) || frame < (kind === "still" ? 1 : 0) || frame >= frames || !numbers.every(Number.isFinite)) {
-        throw new EngineError("bad_examples", `Wish ${n + 1} is for a point, a frame or a place that does not exist. Remove it.`);
+        throw new EngineError("bad_examples", `Constraint ${n + 1} is for a point, a frame or a place that does not exist. Remove it.`);
       }
       if (kind === "still") wasm.performance_still(performance, control, frame);
       else {
-        const axes = (wish.axes ?? [true, true, true]).reduce((bits, on, axis) => bits | (Number(on) << axis), 0);
-        wasm.performance_place(performance, control, frame, axes, ...wish.value);
+        const axes = (constraint.axes ?? [true, true, true]).reduce((bits, on, axis) => bits | (Number(on) << axis), 0);
+        wasm.performance_place(performance, control, frame, axes, ...constraint.value);
       }
     });
     for (const { control, runs } of contacts) {
@@ -278,8 +278,18 @@ export class Core {
   #describePerformance(performance: Handle, constraints: ConstraintInput[], milliseconds: number): Performance {
     const wasm = this.#wasm;
     wasm.performance_info(performance, this.#out);
-    const [frames = 0, controls = 0, flightCount = 0, before = 0, after = 0, wishes = 0, asks = 0, have = 0, want = 0, starters = 0] =
-      this.#doubles(10);
+    const [
+      frames = 0,
+      controls = 0,
+      flightCount = 0,
+      before = 0,
+      after = 0,
+      constraintCount = 0,
+      asks = 0,
+      have = 0,
+      want = 0,
+      starters = 0,
+    ] = this.#doubles(10);
     const flightsAt = wasm.performance_flights(performance);
     const ends = new Int32Array(wasm.memory.buffer, flightsAt, 2 * flightCount).slice();
     const flights = Array.from({ length: flightCount }, (_, i): [number, number] => [ends[2 * i] ?? 0, ends[2 * i + 1] ?? 0]);
@@ -293,7 +303,7 @@ export class Core {
       yaw: this.#floats(wasm.performance_yaw(performance), frames),
       travel: this.#floats(wasm.performance_travel(performance), 2 * frames),
       slip: { before, after },
-      missed: this.#missed(performance, wishes, constraints),
+      missed: this.#missed(performance, constraintCount, constraints),
       coverage: this.#floats(wasm.performance_coverage(performance), frames),
       ask: Array.from({ length: asks }, (_, i) => ({ frame: asked[2 * i] ?? 0, gain: asked[2 * i + 1] ?? 0 })),
       enough: { have, want },
@@ -307,7 +317,9 @@ export class Core {
   #missed(performance: Handle, count: number, constraints: ConstraintInput[]): Performance["missed"] {
     const worst = this.#floats(this.#wasm.performance_missed(performance), count);
     const against = new Int32Array(this.#wasm.memory.buffer, this.#wasm.performance_opponents(performance), count);
-    const order = (["position", "still"] as const).flatMap((kind) => constraints.flatMap((wish, n) => (wish.kind === kind ? [n] : [])));
+    const order = (["position", "still"] as const).flatMap((kind) =>
+      constraints.flatMap((constraint, n) => (constraint.kind === kind ? [n] : [])),
+    );
     const missed = { worst: new Float32Array(count), against: new Int32Array(count) };
     order.forEach((n, k) => {
       missed.worst[n] = worst[k] ?? 0;

@@ -10,7 +10,7 @@ import type {
   MotionInput,
   Performance,
   RetargetInput,
-  Understanding,
+  ShapeAnalysis,
 } from "./types";
 
 export interface DragInput {
@@ -19,15 +19,15 @@ export interface DragInput {
   restart: boolean;
 }
 
-export interface UnderstandInput {
+export interface ShapeAnalysisInput {
   mesh: MeshInput;
-  /** The bytes of understand.wasm. */
+  /** The bytes of shape-analysis.wasm. */
   wasm: ArrayBuffer;
 }
 
 export interface Calls {
   setMesh: { input: MeshInput; output: MeshReport };
-  understand: { input: UnderstandInput; output: Understanding };
+  analyseShape: { input: ShapeAnalysisInput; output: ShapeAnalysis };
   setControls: { input: ControlInput[]; output: void };
   setMotion: { input: MotionInput; output: Motion };
   drag: { input: DragInput; output: Frame };

@@ -4,7 +4,7 @@
 import { Core } from "./core";
 import type { CallRequest, Reply, Request } from "./protocol";
 import { EngineError } from "./types";
-import { understand } from "./understand";
+import { analyseShape } from "./analyse-shape";
 import { instantiate } from "./wasm";
 
 /** A DedicatedWorkerGlobalScope or a MessagePort. */
@@ -131,8 +131,8 @@ class Server {
     switch (request.type) {
       case "setMesh":
         return core.setMesh(request.input);
-      case "understand":
-        return understand(request.input);
+      case "analyseShape":
+        return analyseShape(request.input);
       case "setControls":
         return core.setControls(request.input);
       case "setMotion":

@@ -44,7 +44,7 @@ export interface BodyPoint {
 }
 
 /** What a bare mesh says of itself, in its own axes and units. A guess: it may be wrong, and is meant to be shown. */
-export interface Understanding {
+export interface ShapeAnalysis {
   up: AxisName;
   /** Which way it looks. */
   facing: AxisName;
@@ -92,7 +92,7 @@ export interface ExampleInput {
   controls: Float32Array;
 }
 
-/** A wish about one control at one frame (body-local stage metres). */
+/** A constraint about one control at one frame (body-local stage metres). */
 export type ConstraintInput =
   /** It is there, on the axes that are true; all three if none are given. */
   | { kind: "position"; control: number; frame: number; value: [number, number, number]; axes?: [boolean, boolean, boolean] }
@@ -118,7 +118,7 @@ export interface RetargetInput {
   volume: number;
   groundContact: boolean;
   inPlace: boolean;
-  /** Wishes about single controls at single frames; default none. Repeated or contradicting ones meet half way: see `missed`. */
+  /** Constraints on single controls at single frames; default none. Repeated or contradicting ones meet half way: see `missed`. */
   constraints?: ConstraintInput[];
   /** Only the controls whose contacts were edited; default none. */
   contacts?: ContactInput[];
@@ -155,7 +155,7 @@ export interface Performance {
    * from the mean pose. With no pose at all, the distance from a random frame (1.4 on average).
    */
   coverage: Float32Array;
-  /** Frames worth teaching next, best first (at most 8), given the poses there are; gain: by how much the mean coverage (rms) falls. */
+  /** Frames worth coverage next, best first (at most 8), given the poses there are; gain: by how much the mean coverage (rms) falls. */
   ask: { frame: number; gain: number }[];
   /** The user's poses (mirror images counted) and how many would bring the rms of the coverage below .15; never less than `have`. */
   enough: { have: number; want: number };
@@ -208,7 +208,7 @@ export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
   setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport>;
   /** Guesses how a mesh stands and where to hold it; binds nothing. Any axes and units. Rejects with bad_mesh. */
-  understand(mesh: MeshInput, options?: CallOptions): Promise<Understanding>;
+  analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis>;
   /** Binds controls on the present mesh (ordering, factorisation). */
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void>;
   /** Reads a motion; on failure (bad_motion) the previous one stays. */

@@ -92,11 +92,11 @@ export interface RiglessExports {
 }
 
 /** wasm/understanding.cpp */
-export interface UnderstandExports {
+export interface ShapeAnalysisExports {
   memory: WebAssembly.Memory;
   _initialize(): void;
   alloc(bytes: number): Pointer;
-  understand(positions: Pointer, vertices: number, faces: Pointer, faceCount: number, out: Pointer): PackedStatus;
+  analyse_shape(positions: Pointer, vertices: number, faces: Pointer, faceCount: number, out: Pointer): PackedStatus;
 }
 
 const IMPORTS = {
@@ -109,8 +109,8 @@ const IMPORTS = {
 };
 
 /** At once, as only a worker may; for a small module that is used and dropped. */
-export function instantiateUnderstand(bytes: ArrayBuffer): UnderstandExports {
-  const module = new WebAssembly.Instance(new WebAssembly.Module(bytes), IMPORTS).exports as unknown as UnderstandExports;
+export function instantiateShapeAnalysis(bytes: ArrayBuffer): ShapeAnalysisExports {
+  const module = new WebAssembly.Instance(new WebAssembly.Module(bytes), IMPORTS).exports as unknown as ShapeAnalysisExports;
   module._initialize();
   return module;
 }

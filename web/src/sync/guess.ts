@@ -3,8 +3,8 @@
 import { addPoints, newDocument } from "../document/commands";
 import { STAGE_HEIGHT } from "../document/stage";
 import type { MeshRef, Point, ProjectDocument } from "../document/types";
-import { jointFinder } from "../engine/match-joints";
-import type { BodyPoint, Joint, Understanding } from "../engine/types";
+import { jointFinder } from "../skeleton/match-joints";
+import type { BodyPoint, Joint, ShapeAnalysis } from "../engine/types";
 import { stageFor } from "./prepare";
 import type { SolverModel } from "./prepare";
 
@@ -22,7 +22,7 @@ const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "foreleg", "foot", 
 const JOINT: Partial<Record<BodyPoint["role"], string>> = { head: "Head", hand: "Hand", foot: "Foot", foreleg: "Foot", hips: "Hips" };
 
 /** Points on the model with the joints of a motion that they follow. */
-export function guessPoints(model: SolverModel, { up, facing, points }: Understanding, joints: readonly Joint[]): Guess {
+export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAnalysis, joints: readonly Joint[]): Guess {
   const mesh = { facing, up };
   const { scale } = stageFor(model, { file: "", ...mesh });
   const find = jointFinder(joints.map((joint) => joint.name));
@@ -53,7 +53,7 @@ export function guessProject(
   file: string,
   motion: readonly string[],
   model: SolverModel,
-  said: Understanding,
+  said: ShapeAnalysis,
   joints: readonly Joint[],
 ): ProjectDocument {
   const { mesh, points } = guessPoints(model, said, joints);

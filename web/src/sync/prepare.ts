@@ -4,7 +4,7 @@ import { clipOf } from "../document/clips";
 import { boundsOf, fromStage, pointToStage, STAGE_HEIGHT, stageOf, toStage } from "../document/stage";
 import type { Stage } from "../document/stage";
 import type { Clip, Example, MeshRef, Pin, Point, ProjectDocument, Vec3 } from "../document/types";
-import { isSameJoint, jointFinder } from "../engine/match-joints";
+import { isSameJoint, jointFinder } from "../skeleton/match-joints";
 import type { ConstraintInput, ContactInput, ControlInput, Joint, MeshInput, Motion, RetargetInput } from "../engine/types";
 
 /** What of a model the solver knows; file units and axes. */

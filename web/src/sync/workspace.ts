@@ -4,8 +4,8 @@
 import { clipOf } from "../document/clips";
 import type { ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { Engine, Frame, MeshReport, Motion, MotionInput, Performance, Understanding } from "../engine/types";
-import { Emitter } from "./emitter";
+import type { Engine, Frame, MeshReport, Motion, MotionInput, Performance, ShapeAnalysis } from "../engine/types";
+import { Emitter } from "../util/emitter";
 import { FrameCache } from "./frame-cache";
 import { Library } from "./library";
 import { controlInputs, meshInput, retargetInput } from "./prepare";
@@ -109,8 +109,8 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   }
 
   /** What a model says of itself, in its file's axes and units. Rejects with EngineError: bad_mesh, engine_lost. */
-  understand({ positions, faces }: SolverModel): Promise<Understanding> {
-    return this.engine.understand({ positions, faces });
+  analyseShape({ positions, faces }: SolverModel): Promise<ShapeAnalysis> {
+    return this.engine.analyseShape({ positions, faces });
   }
 
   /** Deforms body-locally towards C x 3 targets. Rejects with "superseded" when a newer drag overtakes it. */

@@ -1,11 +1,11 @@
 import { css, html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { debugHandle } from "./handle";
-import { handleKey } from "./session/keys";
-import { Session } from "./session/session";
+import { debugPage } from "./debug";
+import { handleKey } from "../app/keys";
+import { Session } from "../app/session";
 import { base } from "./styles";
-import type { Hello } from "./elements/hello";
-import "./elements/hello";
+import type { Intro } from "./elements/intro";
+import "./elements/intro";
 import "./elements/inspector";
 import "./elements/notices";
 import "./elements/rail";
@@ -34,7 +34,7 @@ export class App extends LitElement {
   /** Phone only: the sheet shows its content. */
   @state() private sheetOpen = true;
   @query(".view3d") private host!: HTMLDivElement;
-  @query("rigless-hello") private hello!: Hello;
+  @query("rigless-intro") private intro!: Intro;
   private readonly narrow = matchMedia("(max-width: 719px)");
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private readonly resized = new ResizeObserver(() => this.measure());
@@ -54,7 +54,7 @@ export class App extends LitElement {
       rigless-inspector { grid-area: 2 / 3; align-self: start; z-index: 2; max-height: calc(100% - 32px); overflow-y: auto; }
       .middle { grid-area: 2 / 2; position: relative; z-index: 2; pointer-events: none; display: grid; grid-template-rows: auto 1fr auto; min-width: 0; min-height: 0; }
       rigless-notices { justify-self: center; margin: var(--s2) var(--s1) 0; }
-      rigless-hello { position: absolute; inset: 0; }
+      rigless-intro { position: absolute; inset: 0; }
       .low { grid-row: 3; display: grid; justify-items: end; align-content: end; }
       .low > * { pointer-events: auto; }
       rigless-prompt { justify-self: stretch; margin-bottom: 0; }
@@ -105,11 +105,11 @@ export class App extends LitElement {
 
   protected override firstUpdated(): void {
     this.session.start(this.host);
-    globalThis.rigless = debugHandle(this.session);
-    for (const topic of ["verb", "help", "jobs", "pins", "teaching"] as const) this.session.on(topic, () => this.loadLate());
-    for (const topic of ["verb", "notices", "hello", "jobs", "pairing", "pins", "teaching", "stage"] as const)
+    globalThis.rigless = debugPage(this.session);
+    for (const topic of ["panel", "help", "jobs", "pins", "coverage"] as const) this.session.on(topic, () => this.loadLate());
+    for (const topic of ["panel", "notices", "intro", "jobs", "pairing", "pins", "coverage", "stage"] as const)
       this.session.on(topic, () => this.reframe());
-    this.session.on("verb", () => {
+    this.session.on("panel", () => {
       this.sheetOpen = true;
       this.requestUpdate();
     });
@@ -123,14 +123,14 @@ export class App extends LitElement {
 
   protected override render() {
     const { session } = this;
-    const panel = session.verb ? html`<div class="panel">${PANELS[session.verb](session)}</div>` : "";
+    const panel = session.panel ? html`<div class="panel">${PANELS[session.panel](session)}</div>` : "";
     const inspector = html`<rigless-inspector role="complementary" aria-label="Inspector" .session=${session}></rigless-inspector>`;
     const rail = html`<rigless-rail .session=${session}></rigless-rail>`;
     return html`
       <rigless-top-bar role="banner" .session=${session}></rigless-top-bar>
       <main aria-label="Stage"><div class="view3d"></div></main>
       <div class="middle">
-        <rigless-hello ?hidden=${this.dropping} .session=${session}></rigless-hello>
+        <rigless-intro ?hidden=${this.dropping} .session=${session}></rigless-intro>
         <rigless-notices .session=${session}></rigless-notices>
         <div class="low">
           <rigless-jobs .session=${session}></rigless-jobs>
@@ -147,7 +147,7 @@ export class App extends LitElement {
         this.phone
           ? html`<div class="sheet">
             <button class="handle" aria-label=${this.sheetOpen ? "Fold the sheet" : "Unfold the sheet"} aria-expanded=${this.sheetOpen} @click=${() => (this.sheetOpen = !this.sheetOpen)}></button>
-            ${this.sheetOpen ? (session.verb ? panel : inspector) : ""}</div>${rail}`
+            ${this.sheetOpen ? (session.panel ? panel : inspector) : ""}</div>${rail}`
           : html`<div class="left">${rail}${panel}</div>${inspector}`
       }
       ${this.dropping ? html`<rigless-drop></rigless-drop>` : ""}
@@ -203,14 +203,14 @@ export class App extends LitElement {
       return rect && rect.width > 0 && rect.height > 0 ? rect : null;
     };
     const card = (selector: string): DOMRect | null => box(this.renderRoot.querySelector(selector));
-    const hello = this.hello.boxes;
+    const intro = this.intro.boxes;
     const desk = !this.phone;
     const left = desk ? Math.max(card("rigless-rail")?.right ?? 0, card(".panel > *")?.right ?? 0) : stage.left;
     const job = card("rigless-jobs");
     const right = desk ? Math.min(job?.left ?? stage.right, card("rigless-inspector")?.left ?? stage.right) : stage.right;
-    const words = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(hello.line)?.bottom ?? 0);
+    const words = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(intro.line)?.bottom ?? 0);
     const top = Math.min(words, stage.top + MOST_WORDS * stage.height);
-    const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(hello.chips)].map(
+    const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(intro.chips)].map(
       (rect) => rect?.top ?? stage.bottom,
     );
     this.session.setInsets({

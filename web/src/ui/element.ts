@@ -1,6 +1,6 @@
 import { LitElement, type PropertyValues } from "lit";
 import { property } from "lit/decorators.js";
-import type { Session, SessionEvents } from "./session/session";
+import type { Session, SessionEvents } from "../app/session";
 
 /** A part of the page: draws what the session says, again whenever one of its topics changes. */
 export abstract class SessionElement extends LitElement {

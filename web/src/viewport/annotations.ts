@@ -3,20 +3,20 @@
 import { Vector3 } from "three";
 import type { Point } from "./arc";
 import type { CameraRig, Projected } from "./camera-rig";
-import type { DotHand } from "./dot-hand";
-import { dotColour, type DotHit, type DotMark, DotOverlay } from "./dot-overlay";
+import type { PointHand } from "./point-hand";
+import { pointColour, type PointHit, type PlacedMark, PointOverlay } from "./point-overlay";
 import type { Figures } from "./figures";
 import { type PairLine, PairLines } from "./pair-lines";
 import type { Stage } from "./stage";
-import type { Dot, ViewMode } from "./types";
+import type { PointMark, ViewMode } from "./types";
 
-const DOT_REACH = { mouse: 14, touch: 24, chasing: 40 };
+const POINT_REACH = { mouse: 14, touch: 24, chasing: 40 };
 const JOINT_REACH = { mouse: 22, touch: 32 };
 /** Milliseconds between two looks at which dots the mesh hides. */
 const OCCLUSION_PAUSE = 120;
 
 export class Annotations {
-  readonly overlay = new DotOverlay();
+  readonly overlay = new PointOverlay();
   readonly lines = new PairLines();
   mode: ViewMode = "pose";
   live: { id: string } | { joint: number } | null = null;
@@ -26,7 +26,7 @@ export class Annotations {
   note = "";
   /** Something moved since it was last asked which dots are hidden. */
   occlusionStale = true;
-  private dots: readonly Dot[] = [];
+  private points: readonly PointMark[] = [];
   private size = { width: 1, height: 1 };
   private occlusionTime = 0;
   private occlusionTimer = 0;
@@ -39,13 +39,13 @@ export class Annotations {
     private readonly stage: Stage,
     private readonly rig: CameraRig,
     private readonly figures: Figures,
-    private readonly hand: DotHand,
+    private readonly hand: PointHand,
     private readonly again: () => void,
   ) {}
 
-  setDots(dots: readonly Dot[], selected: string | null): void {
-    this.dots = dots;
-    this.overlay.setDots(dots, selected, (joint) => this.figures.jointLabel(joint));
+  setPoints(points: readonly PointMark[], selected: string | null): void {
+    this.points = points;
+    this.overlay.setPoints(points, selected, (joint) => this.figures.jointLabel(joint));
     this.occlusionStale = true;
   }
 
@@ -57,19 +57,19 @@ export class Annotations {
     const { overlay, pointer } = this;
     for (const mark of overlay.marks) this.rig.project(this.markPosition(mark, this.world), mark.at);
     this.lookForHidden(now);
-    if (pointer) overlay.setHover(this.dotAt(pointer, false)); // dots move under it
+    if (pointer) overlay.setHover(this.pointAt(pointer, false)); // points move under it
     overlay.place();
     this.lines.setLines(this.pairLines());
     this.updateTag();
   }
 
-  dotAt(at: Point, touch: boolean): DotHit | null {
-    return this.overlay.nearest(at.x, at.y, touch ? DOT_REACH.touch : DOT_REACH.mouse);
+  pointAt(at: Point, touch: boolean): PointHit | null {
+    return this.overlay.nearest(at.x, at.y, touch ? POINT_REACH.touch : POINT_REACH.mouse);
   }
 
   /** The dot of the model that a hand at this place is after; a dot that dances is met with less care. */
-  dotChased(at: Point): DotHit | null {
-    const hit = this.mode === "pose" ? this.overlay.nearest(at.x, at.y, DOT_REACH.chasing) : null;
+  pointChased(at: Point): PointHit | null {
+    const hit = this.mode === "pose" ? this.overlay.nearest(at.x, at.y, POINT_REACH.chasing) : null;
     return hit?.on === "model" ? hit : null;
   }
 
@@ -95,8 +95,8 @@ export class Annotations {
   }
 
   /** Model world: on the surface, or where the hand asks it to be. */
-  dotPosition(dot: Dot, out: Vector3): Vector3 {
-    return dot.id === this.hand.id ? out.copy(this.hand.target) : this.figures.vertex(dot.vertex, out);
+  pointPosition(point: PointMark, out: Vector3): Vector3 {
+    return point.id === this.hand.id ? out.copy(this.hand.target) : this.figures.vertex(point.vertex, out);
   }
 
   dispose(): void {
@@ -104,9 +104,9 @@ export class Annotations {
   }
 
   /** Scene. */
-  private markPosition(mark: DotMark, out: Vector3): Vector3 {
-    if (mark.on === "human") return this.figures.joint(mark.dot.joint, out);
-    return this.dotPosition(mark.dot, out).add(this.stage.model.offset);
+  private markPosition(mark: PlacedMark, out: Vector3): Vector3 {
+    if (mark.on === "human") return this.figures.joint(mark.point.joint, out);
+    return this.pointPosition(mark.point, out).add(this.stage.model.offset);
   }
 
   /** Rays cost a refit of the tree, so while things move they are cast a few times a second. */
@@ -125,7 +125,7 @@ export class Annotations {
     const eye = this.rig.camera.position.clone().sub(this.stage.model.offset);
     for (const mark of this.overlay.marks) {
       if (mark.on === "human") continue;
-      const distance = this.direction.subVectors(this.dotPosition(mark.dot, this.world), eye).length();
+      const distance = this.direction.subVectors(this.pointPosition(mark.point, this.world), eye).length();
       mark.behind = mark.id !== this.hand.id && picker.hides(eye, this.direction.divideScalar(distance), distance);
     }
   }
@@ -133,12 +133,12 @@ export class Annotations {
   private pairLines(): PairLine[] {
     const hovered = this.overlay.hoveredPair();
     const lines: PairLine[] = [];
-    for (const dot of this.dots) {
-      if (this.mode !== "points" && dot.id !== hovered) continue;
-      const from = this.overlay.find(dot.id, "human");
-      const to = this.overlay.find(dot.id, "model");
+    for (const point of this.points) {
+      if (this.mode !== "points" && point.id !== hovered) continue;
+      const from = this.overlay.find(point.id, "human");
+      const to = this.overlay.find(point.id, "model");
       if (!from || !to || from.button.hidden || to.button.hidden) continue;
-      lines.push({ from: from.at, to: to.at, colour: dotColour(dot.number), kind: dot.guess ? "guess" : "pair" });
+      lines.push({ from: from.at, to: to.at, colour: pointColour(point.number), kind: point.guess ? "guess" : "pair" });
     }
     const live = this.liveLine();
     return live ? [...lines, live] : lines;
@@ -152,35 +152,35 @@ export class Annotations {
       return { from, to: pointer, colour: "var(--pencil, #166e94)", kind: "live" };
     }
     const mark = this.overlay.find(live.id, "model");
-    return mark && { from: mark.at, to: pointer, colour: dotColour(mark.dot.number), kind: "live" };
+    return mark && { from: mark.at, to: pointer, colour: pointColour(mark.point.number), kind: "live" };
   }
 
   private updateTag(): void {
     const { overlay, lines, pointer } = this;
     const mark = overlay.named();
     if (this.hand.holding && mark) {
-      const start = this.rig.project(this.holdStart(mark.dot, this.world).add(this.stage.model.offset), this.spot);
+      const start = this.rig.project(this.holdStart(mark.point, this.world).add(this.stage.model.offset), this.spot);
       lines.setLead(start, mark.at);
       lines.setProbe(start);
-      overlay.showTag(this.holdWords(mark.dot), mark.at, 26);
+      overlay.showTag(this.holdWords(mark.point), mark.at, 26);
       return;
     }
     lines.setLead(null, null);
     const candidate = pointer && this.mode === "points" && !overlay.isHovering() ? this.candidate(pointer) : null;
     lines.setProbe(candidate?.at ?? null);
     if (candidate?.words) overlay.showTag(candidate.words, candidate.at, 14);
-    else overlay.showTag(mark?.dot.name ?? null, mark?.at ?? null, mark?.on === "human" ? 18 : 24);
+    else overlay.showTag(mark?.point.name ?? null, mark?.at ?? null, mark?.on === "human" ? 18 : 24);
   }
 
   /** Model world: where the lead starts, on the ghost if one shows, else where the hand took the dot. */
-  private holdStart(dot: Dot, out: Vector3): Vector3 {
+  private holdStart(point: PointMark, out: Vector3): Vector3 {
     const { ghost } = this.figures;
-    return ghost ? out.fromArray(ghost, 3 * dot.vertex) : out.copy(this.hand.origin);
+    return ghost ? out.fromArray(ghost, 3 * point.vertex) : out.copy(this.hand.origin);
   }
 
   /** "Top: 27 cm up, 31 cm right", as the camera sees it. */
-  private holdWords(dot: Dot): string {
-    const move = this.direction.subVectors(this.hand.target, this.holdStart(dot, this.world));
+  private holdWords(point: PointMark): string {
+    const move = this.direction.subVectors(this.hand.target, this.holdStart(point, this.world));
     const matrix = this.rig.camera.matrixWorld;
     const part = (value: number, plus: string, minus: string): string | null => {
       const cm = Math.round(100 * Math.abs(value));
@@ -189,7 +189,7 @@ export class Annotations {
     const right = move.dot(this.world.setFromMatrixColumn(matrix, 0));
     const out = move.dot(this.world.setFromMatrixColumn(matrix, 2).setY(0).normalize());
     const words = [part(move.y, "up", "down"), part(right, "right", "left"), part(out, "out", "in")].filter(Boolean).slice(0, 2);
-    return [words.length ? `${dot.name}: ${words.join(", ")}` : dot.name, this.note].filter(Boolean).join("\n");
+    return [words.length ? `${point.name}: ${words.join(", ")}` : point.name, this.note].filter(Boolean).join("\n");
   }
 
   /** What a click would pick while points are made: a joint, else a vertex. */

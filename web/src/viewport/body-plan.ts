@@ -1,7 +1,7 @@
 // Which bones a mannequin draws, found from joint names and parents; knows no pose. Works on any tree: what it cannot name
 // it draws as plain capsules.
 
-import { isClutter, isEndSite, readJointName, type Side } from "./joint-names";
+import { isClutter, isEndSite, readJointName, type Side } from "../skeleton/joint-names";
 import type { DrawnHuman } from "./types";
 
 export interface Bone {

@@ -1,7 +1,7 @@
 // Who stands on the stage: the model, its ghost and the human, each drawn from the newest positions it was given.
 
 import type { Vector3 } from "three";
-import { jointLabel } from "./joint-names";
+import { jointLabel } from "../skeleton/joint-names";
 import { Mannequin } from "./mannequin";
 import { ModelFigure } from "./model-figure";
 import { HUMAN_WIDTH, type Stage } from "./stage";

@@ -1,12 +1,12 @@
 // What pointer and keys do to the marks: hover, press, drag, pick, nudge.
 
 import { Vector3 } from "three";
-import type { Emitter } from "../sync/emitter";
+import type { Emitter } from "../util/emitter";
 import type { Annotations } from "./annotations";
 import type { Point } from "./arc";
 import type { CameraRig } from "./camera-rig";
-import type { DotHand } from "./dot-hand";
-import type { DotHit, DotMark } from "./dot-overlay";
+import type { PointHand } from "./point-hand";
+import type { PointHit, PlacedMark } from "./point-overlay";
 import { Pointer } from "./pointer";
 import type { ViewportEvents } from "./types";
 
@@ -16,7 +16,7 @@ const CHASE_MS = 600;
 export class Interaction {
   private readonly pointer: Pointer;
   private readonly abort = new AbortController();
-  private pressed: DotHit | null = null;
+  private pressed: PointHit | null = null;
   private near = false;
   private nearSince = 0;
   private readonly place = new Vector3();
@@ -25,7 +25,7 @@ export class Interaction {
   constructor(
     private readonly element: HTMLElement,
     private readonly rig: CameraRig,
-    private readonly hand: DotHand,
+    private readonly hand: PointHand,
     private readonly marks: Annotations,
     private readonly events: Emitter<ViewportEvents>,
     private readonly refresh: () => void,
@@ -63,7 +63,7 @@ export class Interaction {
   private press(at: Point, touch: boolean): boolean {
     const { marks } = this;
     const chasing = !this.near || performance.now() - this.nearSince < CHASE_MS;
-    this.pressed = marks.dotAt(at, touch) ?? (chasing && this.moving() ? marks.dotChased(at) : null);
+    this.pressed = marks.pointAt(at, touch) ?? (chasing && this.moving() ? marks.pointChased(at) : null);
     if (!marks.live) marks.pointer = null; // until it is up again
     marks.overlay.setHover(null);
     const mark = this.pressed && marks.overlay.find(this.pressed.id, this.pressed.on);
@@ -78,7 +78,7 @@ export class Interaction {
   private startDrag(): void {
     const mark = this.pressed && this.marks.overlay.find(this.pressed.id, "model");
     if (!mark) return;
-    this.hand.grab(mark.id, this.marks.dotPosition(mark.dot, this.place));
+    this.hand.grab(mark.id, this.marks.pointPosition(mark.point, this.place));
     this.marks.overlay.setHeld(mark.id);
   }
 
@@ -90,8 +90,8 @@ export class Interaction {
   }
 
   private click(at: Point, touch: boolean): void {
-    const hit = this.marks.dotAt(at, touch);
-    if (hit) return this.events.emit("dot-pick", hit);
+    const hit = this.marks.pointAt(at, touch);
+    if (hit) return this.events.emit("point-pick", hit);
     if (this.marks.mode === "points") {
       const joint = this.marks.jointAt(at, touch);
       if (joint >= 0) return this.events.emit("joint-pick", { joint });
@@ -106,14 +106,14 @@ export class Interaction {
     if (near === this.near) return;
     this.near = near;
     this.nearSince = performance.now();
-    this.events.emit("dot-reach", { near });
+    this.events.emit("point-reach", { near });
   }
 
   private hover(at: Point | null): void {
     const { marks } = this;
-    this.setNear(at !== null && marks.dotChased(at) !== null);
+    this.setNear(at !== null && marks.pointChased(at) !== null);
     marks.pointer = at;
-    const hit = at && marks.dotAt(at, false);
+    const hit = at && marks.pointAt(at, false);
     const changed = marks.overlay.setHover(hit);
     this.element.style.cursor = !hit ? "" : hit.on === "model" && marks.mode === "pose" ? "grab" : "pointer";
     if (changed || marks.live || marks.mode === "points") this.refresh();
@@ -122,13 +122,13 @@ export class Interaction {
   private listenToMarks(): void {
     const { signal } = this.abort;
     const { overlay } = this.marks;
-    const owner = (event: Event): DotMark | null => overlay.owner(event.target);
+    const owner = (event: Event): PlacedMark | null => overlay.owner(event.target);
     overlay.element.addEventListener(
       "keydown",
       (event) => {
         const mark = owner(event);
         if (!mark || mark.on !== "model" || this.marks.mode !== "pose") return;
-        if (!this.hand.keyDown(event, mark.id, this.marks.dotPosition(mark.dot, this.place))) return;
+        if (!this.hand.keyDown(event, mark.id, this.marks.pointPosition(mark.point, this.place))) return;
         event.preventDefault();
         event.stopPropagation();
         overlay.setHeld(this.hand.holding ? mark.id : null);
@@ -149,7 +149,7 @@ export class Interaction {
       "click",
       (event) => {
         const mark = owner(event);
-        if (mark && event.detail === 0) this.events.emit("dot-pick", { id: mark.id, on: mark.on });
+        if (mark && event.detail === 0) this.events.emit("point-pick", { id: mark.id, on: mark.on });
       },
       { signal },
     );

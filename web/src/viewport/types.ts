@@ -24,7 +24,7 @@ export interface DrawnHuman {
 }
 
 /** A numbered mark on the model and, if paired, on the human. */
-export interface Dot {
+export interface PointMark {
   id: string;
   /** From 1; colour follows from it. */
   number: number;
@@ -45,16 +45,16 @@ export type ViewMode = "pose" /** dots on the model drag */ | "points"; /** pair
 
 export interface ViewportEvents {
   /** The pointer took a dot of the model. */
-  "dot-grab": { id: string };
+  "point-grab": { id: string };
   /** World position that the hand asks for. */
-  "dot-move": { id: string; position: [number, number, number] };
-  "dot-drop": { id: string };
+  "point-move": { id: string; position: [number, number, number] };
+  "point-drop": { id: string };
   /** The pointer is within reach of a dot of the model, or no longer: what moves should wait for the hand. */
-  "dot-reach": { near: boolean };
+  "point-reach": { near: boolean };
   /** Esc or a lost pointer: put it back. */
-  "dot-cancel": { id: string };
+  "point-cancel": { id: string };
   /** A click without a drag on a dot, on the model or on the human. */
-  "dot-pick": { id: string; on: "model" | "human" };
+  "point-pick": { id: string; on: "model" | "human" };
   "surface-pick": { vertex: number };
   "joint-pick": { joint: number };
   /** A click on nothing. */
@@ -80,7 +80,7 @@ export interface ViewportApi {
   setHumanPose(positions: Float32Array): void;
   /** The next places are those of the clip's beginning, reached by its end: the figures go on from where they are. */
   beginAgain(): void;
-  setDots(dots: readonly Dot[], selected: string | null): void;
+  setPoints(points: readonly PointMark[], selected: string | null): void;
   /** Two rings around a dot of the model, three times, for a first visit; null stops them. */
   pulse(id: string | null): void;
   setMode(mode: ViewMode): void;

@@ -1,9 +1,9 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
-import { Emitter } from "../sync/emitter";
+import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
 import { CameraRig } from "./camera-rig";
-import { DotHand } from "./dot-hand";
+import { PointHand } from "./point-hand";
 import { Figures } from "./figures";
 import { Interaction } from "./interaction";
 import { overlayStyle } from "./overlay-style";
@@ -11,7 +11,7 @@ import { QualityGovernor } from "./quality";
 import { Stage } from "./stage";
 import { readTheme, type Theme } from "./theme";
 import { Thumbnails } from "./thumbnail";
-import type { Dot, DrawnHuman, DrawnModel, Insets, ViewMode, ViewportApi, ViewportEvents } from "./types";
+import type { PointMark, DrawnHuman, DrawnModel, Insets, ViewMode, ViewportApi, ViewportEvents } from "./types";
 
 export class Viewport implements ViewportApi {
   private readonly root = document.createElement("div");
@@ -20,14 +20,14 @@ export class Viewport implements ViewportApi {
   private readonly stage: Stage;
   private readonly rig: CameraRig;
   private readonly figures: Figures;
-  private readonly hand: DotHand;
+  private readonly hand: PointHand;
   private readonly marks: Annotations;
   private readonly interaction: Interaction;
   private readonly thumbnails: Thumbnails;
   private readonly governor: QualityGovernor;
   private readonly observer: ResizeObserver;
   private readonly abort = new AbortController();
-  private dots: readonly Dot[] = [];
+  private points: readonly PointMark[] = [];
   private selected: string | null = null;
   private movedAt = -Infinity;
   private insets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
@@ -49,7 +49,7 @@ export class Viewport implements ViewportApi {
     this.governor = new QualityGovernor(this.stage.rendererName());
     this.stage.setQuality(this.governor.quality);
     this.rig = new CameraRig(this.root, still, () => this.invalidate());
-    this.hand = new DotHand(this.events, this.rig, this.stage.model.offset);
+    this.hand = new PointHand(this.events, this.rig, this.stage.model.offset);
     this.figures = new Figures(this.stage, theme);
     this.marks = new Annotations(this.stage, this.rig, this.figures, this.hand, () => this.refreshMarks());
     this.thumbnails = new Thumbnails(this.stage.renderer);
@@ -93,7 +93,7 @@ export class Viewport implements ViewportApi {
 
   setHuman(human: DrawnHuman | null): void {
     this.figures.setHuman(human);
-    this.setDots(this.dots, this.selected); // their names hold joints' names
+    this.setPoints(this.points, this.selected); // their names hold joints' names
     this.invalidate();
   }
 
@@ -102,10 +102,10 @@ export class Viewport implements ViewportApi {
     this.invalidate();
   }
 
-  setDots(dots: readonly Dot[], selected: string | null): void {
-    this.dots = dots;
+  setPoints(points: readonly PointMark[], selected: string | null): void {
+    this.points = points;
     this.selected = selected;
-    this.marks.setDots(dots, selected);
+    this.marks.setPoints(points, selected);
     this.refreshMarks();
   }
 

@@ -42,8 +42,8 @@ test("on a phone every button is large enough for a thumb", async ({ browser }) 
   const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const page = await context.newPage();
   await open(page);
-  for (const verb of [null, "Model", "Motion", "Points", "Poses"]) {
-    if (verb) await page.getByRole("button", { name: verb, exact: true }).tap();
+  for (const panel of [null, "Model", "Motion", "Points", "Poses"]) {
+    if (panel) await page.getByRole("button", { name: panel, exact: true }).tap();
     const small = await page.evaluate(() => {
       const found: string[] = [];
       const visit = (root: ParentNode): void => {
@@ -58,7 +58,7 @@ test("on a phone every button is large enough for a thumb", async ({ browser }) 
       visit(document);
       return found;
     });
-    expect(small, verb ?? "at rest").toEqual([]);
+    expect(small, panel ?? "at rest").toEqual([]);
   }
   await context.close();
 });

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { dance, documentOf, dotAt, dragBy, open, pause, pauseBetweenPoses, settled, vertices, watchErrors } from "./page";
+import { dance, documentOf, pointAt, dragBy, open, pause, pauseBetweenPoses, settled, vertices, watchErrors } from "./page";
 
 test("a cold page dances with nothing clicked and nothing wrong", async ({ page }) => {
   const errors = watchErrors(page);
@@ -22,7 +22,7 @@ test("dragging a dot makes a pose, the whole dance follows, and one undo brings 
   await open(page);
   await pauseBetweenPoses(page);
   const before = { document: await documentOf(page), dance: await dance(page) };
-  const at = await dotAt(page, "Top");
+  const at = await pointAt(page, "Top");
   await dragBy(page, at, 70, -40);
   await expect(page.getByText(/^Top: \d+ cm/)).toBeVisible();
   await expect(page.getByText("held")).toBeVisible();
@@ -50,7 +50,7 @@ test("Esc lets go of a dot and nothing has happened", async ({ page }) => {
   await open(page);
   await pause(page);
   const before = { document: await documentOf(page), dance: await dance(page) };
-  const at = await dotAt(page, "Top");
+  const at = await pointAt(page, "Top");
   await dragBy(page, at, 60, 30);
   await expect(page.getByText("held")).toBeVisible();
   await page.keyboard.press("Escape");
@@ -66,7 +66,7 @@ test("dragging again at the same frame changes that pose", async ({ page }) => {
   await pauseBetweenPoses(page);
   const count = (await documentOf(page)).examples.length;
   for (const name of ["Top", "Left arm"]) {
-    await dragBy(page, await dotAt(page, name), 30, -20);
+    await dragBy(page, await pointAt(page, name), 30, -20);
     await page.mouse.up();
     await settled(page);
     expect((await documentOf(page)).examples.length).toBe(count + 1);

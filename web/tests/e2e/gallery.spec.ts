@@ -49,9 +49,9 @@ test("of several choices the newest wins", async ({ page }) => {
 
 test("each picture in the lists is there, and light", async ({ page }) => {
   await open(page);
-  for (const verb of ["Model", "Motion"]) {
-    await page.getByRole("button", { name: verb, exact: true }).click();
-    const pictures = page.getByRole("region", { name: verb }).locator("img");
+  for (const panel of ["Model", "Motion"]) {
+    await page.getByRole("button", { name: panel, exact: true }).click();
+    const pictures = page.getByRole("region", { name: panel }).locator("img");
     await expect(pictures.first()).toBeVisible();
     for (const url of await pictures.evaluateAll((images) => images.map((image) => (image as HTMLImageElement).src))) {
       const response = await page.request.get(url);

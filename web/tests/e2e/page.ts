@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Page } from "@playwright/test";
 import { expect } from "@playwright/test";
-import type {} from "../../src/ui/handle";
+import type {} from "../../src/ui/debug";
 
 /** Every error that the page reports, from now on. */
 export function watchErrors(page: Page): string[] {
@@ -62,13 +62,13 @@ export function documentOf(page: Page) {
 }
 
 /** The middle of a dot on the model, once the picture has come to rest. */
-export async function dotAt(page: Page, name: string): Promise<{ x: number; y: number }> {
-  const dot = page.locator(".dot.model", { has: page.locator(`xpath=self::*[contains(@aria-label, ", ${name},")]`) });
+export async function pointAt(page: Page, name: string): Promise<{ x: number; y: number }> {
+  const point = page.locator(".point.model", { has: page.locator(`xpath=self::*[contains(@aria-label, ", ${name},")]`) });
   let last = { x: NaN, y: NaN };
   await expect
     .poll(
       async () => {
-        const box = await dot.boundingBox();
+        const box = await point.boundingBox();
         const now = box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: NaN, y: NaN };
         const still = Math.hypot(now.x - last.x, now.y - last.y) < 1;
         last = now;

@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
 import type { Page } from "@playwright/test";
-import { dance, documentOf, dotAt, dragBy, open, pause, pauseBetweenPoses, settled, watchErrors } from "./page";
+import { dance, documentOf, pointAt, dragBy, open, pause, pauseBetweenPoses, settled, watchErrors } from "./page";
 
 const clip = async (page: Page) => (await documentOf(page)).clips?.["hop.bvh"];
 const slider = (page: Page) => page.getByRole("slider", { name: "Frame" });
@@ -23,7 +23,7 @@ test("contacts and flights are moved on the timeline, by hand and by keys, undon
     .matchAll(/1+/g);
   const expected = [...runs].map((run) => [run.index, run.index + run[0].length]);
 
-  const row = page.locator("rigless-footing .pair").filter({ hasText: "Left edge" });
+  const row = page.locator("rigless-contact-rows .pair").filter({ hasText: "Left edge" });
   await row.locator(".who").click();
   const bar = row.locator(".bar").first();
   const box = (await bar.boundingBox())!;
@@ -50,7 +50,7 @@ test("contacts and flights are moved on the timeline, by hand and by keys, undon
   await settled(page);
   expect(await dance(page)).toBe(before);
 
-  const air = page.locator("rigless-footing .pair").filter({ hasText: "In the air" });
+  const air = page.locator("rigless-contact-rows .pair").filter({ hasText: "In the air" });
   await air.locator(".who").click();
   await air.locator(".bar").first().focus();
   await page.keyboard.press("Delete");
@@ -66,7 +66,7 @@ test("a pin is made by a drag and kept; two that contradict each other are told"
   await pauseBetweenPoses(page);
   const poses = (await documentOf(page)).examples.length;
   await page.getByRole("button", { name: "Pin", exact: true }).click();
-  await dragBy(page, await dotAt(page, "Left arm"), 60, -50);
+  await dragBy(page, await pointAt(page, "Left arm"), 60, -50);
   await page.mouse.up();
   await settled(page);
   const [pin] = (await clip(page))?.pins ?? [];
@@ -86,7 +86,7 @@ test("a pin is made by a drag and kept; two that contradict each other are told"
   expect((await clip(page))?.pins).toHaveLength(2);
   await page.getByRole("button", { name: "Done" }).click();
   await page.getByRole("button", { name: "Pin", exact: true }).click();
-  await dragBy(page, await dotAt(page, "Left arm"), 70, 60);
+  await dragBy(page, await pointAt(page, "Left arm"), 70, 60);
   await page.mouse.up();
   await settled(page);
   expect((await clip(page))?.pins).toHaveLength(3);
@@ -132,7 +132,7 @@ test("symmetry: a switch, a partner that mirrors what the hand does", async ({ p
   await settled(page);
   expect((await documentOf(page)).settings.symmetry).toBe(false);
   expect(await dance(page)).not.toBe(before);
-  await dragBy(page, await dotAt(page, "Left arm"), 40, -40);
+  await dragBy(page, await pointAt(page, "Left arm"), 40, -40);
   await page.keyboard.press("m");
   await page.mouse.up();
   await settled(page);
@@ -149,7 +149,7 @@ test("how soon the new dance is there after a drag (printed, not judged)", async
   const times: number[] = [];
   for (let k = 0; k < 5; k++) {
     await pauseBetweenPoses(page);
-    await dragBy(page, await dotAt(page, "Top"), 30, -10 * (k + 1));
+    await dragBy(page, await pointAt(page, "Top"), 30, -10 * (k + 1));
     await page.evaluate(() => {
       const old = rigless!.performance;
       const examples = rigless!.document.examples.length;

@@ -16,7 +16,7 @@ import { hasShared, sharedFile } from "../support/files";
 import { post } from "./engine-support";
 
 const web = fileURLToPath(new URL("../../", import.meta.url));
-const program = join(web, "bin/rigless.js");
+const program = join(web, "cli/rigless.js");
 const cactus = join(web, "assets/cactus/project.json");
 
 vi.setConfig({ testTimeout: 180_000 }); // whole bakes, on a busy machine too

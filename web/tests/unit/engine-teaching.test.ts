@@ -16,7 +16,7 @@ const at = (controls: Float32Array, count: number, frame: number, control: numbe
   ...controls.subarray(3 * (frame * count + control), 3 * (frame * count + control) + 3),
 ];
 
-describe("wishes", () => {
+describe("constraints", () => {
   const input: RetargetInput = { ...settings, pairs: Int32Array.of(0, 1) };
 
   test("are met, and the rest of the track hardly moves", async () => {
@@ -55,15 +55,15 @@ describe("wishes", () => {
 
   test("for what does not exist are refused by number", async () => {
     await setUpPost(engine);
-    const refused = (wish: NonNullable<RetargetInput["constraints"]>[number]) =>
-      engine.retarget({ ...input, constraints: [wish] }).then(
+    const refused = (constraint: NonNullable<RetargetInput["constraints"]>[number]) =>
+      engine.retarget({ ...input, constraints: [constraint] }).then(
         () => "",
         (error: EngineError) => error.message,
       );
-    expect(await refused({ kind: "still", control: 0, frame: 0 })).toContain("Wish 1");
-    expect(await refused({ kind: "position", control: 2, frame: 3, value: [0, 0, 0] })).toContain("Wish 1");
-    expect(await refused({ kind: "position", control: 0, frame: 60, value: [0, 0, 0] })).toContain("Wish 1");
-    expect(await refused({ kind: "position", control: 0, frame: 3, value: [0, NaN, 0] })).toContain("Wish 1");
+    expect(await refused({ kind: "still", control: 0, frame: 0 })).toContain("Constraint 1");
+    expect(await refused({ kind: "position", control: 2, frame: 3, value: [0, 0, 0] })).toContain("Constraint 1");
+    expect(await refused({ kind: "position", control: 0, frame: 60, value: [0, 0, 0] })).toContain("Constraint 1");
+    expect(await refused({ kind: "position", control: 0, frame: 3, value: [0, NaN, 0] })).toContain("Constraint 1");
   });
 });
 
@@ -98,7 +98,7 @@ describe("contacts and flights", () => {
   });
 });
 
-describe.skipIf(!hasShared)("teaching", () => {
+describe.skipIf(!hasShared)("coverage", () => {
   let motion: Motion;
   let rest: Float32Array;
   let pairs: Int32Array;

@@ -70,7 +70,7 @@ describe("one drop of many files", () => {
       { name: "cow.png", bytes: PNG },
       textFile("cow.mtl", ""),
       { name: "hop.zip", bytes: inner },
-      textFile("letter.docx", "hello"),
+      textFile("letter.docx", "intro"),
       textFile("02_01.amc", AMC),
     ]);
     expect(sorted.project).toBeNull();

@@ -145,7 +145,7 @@ describe("OFF", () => {
     [off.replace("4 4 6", "-4 4 6"), "t.off, line 3: -4 should be a whole number from 0."],
     ["OFF BINARY\n", "t.off is a binary OFF. Save it as text."],
     ["4OFF\n1 1 1\n", "t.off is not three-dimensional (4OFF)."],
-    ["hello\n", "t.off does not begin with OFF."],
+    ["intro\n", "t.off does not begin with OFF."],
     ["OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "t.off has no triangles."],
   ])("refuses %j", async (text, message) => {
     expect(await refusal("t.off", text)).toBe(message);
@@ -257,7 +257,7 @@ describe("STL", () => {
     ["t.stl, line 7: a triangle needs three corners, but this one has 2.", ascii.replace("vertex 0 1 0\n", "")],
     ['t.stl ends before "endsolid".', ascii.slice(0, -15)],
     ["t.stl has no triangles.", "solid nothing\nendsolid nothing\n"],
-    ["t.stl holds no STL model.", "hello"],
+    ["t.stl holds no STL model.", "intro"],
     [
       "t.stl: the place of vertex 1 is not a number.",
       (() => {
@@ -280,5 +280,5 @@ it("refuses coordinates that no number on the stage can hold", async () => {
 });
 
 it("names what is no model", async () => {
-  expect(await refusal("letter.docx", "hello")).toBe("letter.docx is not a model that we read (OBJ, PLY, STL, GLB, glTF, OFF).");
+  expect(await refusal("letter.docx", "intro")).toBe("letter.docx is not a model that we read (OBJ, PLY, STL, GLB, glTF, OFF).");
 });

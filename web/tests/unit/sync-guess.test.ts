@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import type { BodyPoint, Understanding } from "../../src/engine/types";
+import type { BodyPoint, ShapeAnalysis } from "../../src/engine/types";
 import { guessPoints, guessProject } from "../../src/sync/guess";
 
 const MODEL = {
@@ -17,7 +17,7 @@ const point = (role: BodyPoint["role"], side: BodyPoint["side"], partner: number
   wanted,
 });
 
-const SAID: Understanding = {
+const SAID: ShapeAnalysis = {
   up: "+y",
   facing: "-x",
   symmetry: { point: [0, 0, 0], normal: [0, 0, 1], misfit: 0.01 },

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { buildBodyPlan, highestLeaf, type BodyPlan } from "../../src/viewport/body-plan";
-import { jointLabel } from "../../src/viewport/joint-names";
+import { jointLabel } from "../../src/skeleton/joint-names";
 import type { DrawnHuman } from "../../src/viewport/types";
 
 /** "parent>child>grandchild" chains; a joint is named once before others hang from it. */

@@ -3,7 +3,7 @@ import { customElement } from "lit/decorators.js";
 import { pointPartners } from "../../sync/prepare";
 import { SessionElement } from "../element";
 import { base } from "../styles";
-import { count, figure, stem } from "../words";
+import { count, figure, stem } from "../../util/words";
 import type { RangeDetail } from "./range";
 import "./range";
 import "./switch";

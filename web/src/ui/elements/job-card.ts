@@ -2,7 +2,7 @@ import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
-import type { Job } from "../session/jobs";
+import type { Job } from "../../app/jobs";
 import { base } from "../styles";
 
 /** Long work: its steps, its measure, and a way out. All else goes on meanwhile. */

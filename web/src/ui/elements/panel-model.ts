@@ -4,7 +4,7 @@ import type { Axis } from "../../document/types";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base, panel } from "../styles";
-import { count } from "../words";
+import { count } from "../../util/words";
 import { gallery, galleryStyle } from "./gallery";
 
 const AXES: readonly Axis[] = ["+y", "+z", "+x", "-y", "-z", "-x"];

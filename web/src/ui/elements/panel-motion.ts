@@ -2,7 +2,7 @@ import { html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { base, panel } from "../styles";
-import { count, figure, seconds } from "../words";
+import { count, figure, seconds } from "../../util/words";
 import { gallery, galleryStyle } from "./gallery";
 
 @customElement("rigless-panel-motion")

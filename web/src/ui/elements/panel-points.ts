@@ -4,7 +4,7 @@ import type { Point } from "../../document/types";
 import { SessionElement } from "../element";
 import { badge } from "../point-colors";
 import { base, panel } from "../styles";
-import { jointName } from "../words";
+import { jointName } from "../../util/words";
 
 /** The keyboard twin of the dots: every point is a button here. */
 @customElement("rigless-panel-points")

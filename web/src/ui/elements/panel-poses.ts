@@ -4,7 +4,7 @@ import type { Example } from "../../document/types";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base, panel } from "../styles";
-import { stem } from "../words";
+import { stem } from "../../util/words";
 
 @customElement("rigless-panel-poses")
 export class PosesPanel extends SessionElement {

@@ -9,7 +9,7 @@ import { base } from "../styles";
 /** What is asked for now: a place, a joint, a pose; or what a pin says. Pencil edge, because it asks. */
 @customElement("rigless-prompt")
 export class Prompt extends SessionElement {
-  protected readonly topics = ["pairing", "document", "verb", "pins", "teaching"] as const;
+  protected readonly topics = ["pairing", "document", "panel", "pins", "coverage"] as const;
 
   static override styles = [
     base,
@@ -25,7 +25,7 @@ export class Prompt extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    if (session.teaching.asking !== null) return this.renderAsked();
+    if (session.coverage.asking !== null) return this.renderAsked();
     if (session.pins.chosenPin) return this.renderPin(session.pins.chosenPin);
     if (session.pins.armed)
       return card(
@@ -37,13 +37,13 @@ export class Prompt extends SessionElement {
   }
 
   private renderAsked() {
-    const { teaching, document } = this.session;
+    const { coverage, document } = this.session;
     const free = document.settings.symmetry && pointPartners(document.points) ? " Its mirror comes free." : "";
     return card(
       "Asked for",
       html`<h3>Show me this one.</h3><p>It is the farthest from your poses: drag the dots until it means the same.${free}</p>`,
-      html`<button class="btn" @click=${() => teaching.skip()}>Skip <kbd>Esc</kbd></button>
-        <button class="btn primary" @click=${() => teaching.keep()}>Keep pose <kbd>Enter</kbd></button>`,
+      html`<button class="btn" @click=${() => coverage.skip()}>Skip <kbd>Esc</kbd></button>
+        <button class="btn primary" @click=${() => coverage.keep()}>Keep pose <kbd>Enter</kbd></button>`,
     );
   }
 
@@ -67,7 +67,7 @@ export class Prompt extends SessionElement {
     const { pairing } = session;
     const { points } = session.document;
     const waiting = points.find((point) => point.id === pairing.waiting);
-    if (session.verb !== "points" || (!waiting && !pairing.adding)) return "";
+    if (session.panel !== "points" || (!waiting && !pairing.adding)) return "";
     const paired = points.filter((point) => point.joint !== null).length;
     const words = waiting
       ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${paired} of ${points.length} paired. Any joint of the dancer will do.</p>`

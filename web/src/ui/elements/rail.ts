@@ -2,36 +2,36 @@ import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
-import { VERBS } from "../session/verbs";
+import { PANELS } from "../../app/panels";
 import { base } from "../styles";
 
 @customElement("rigless-rail")
 export class Rail extends SessionElement {
-  protected readonly topics = ["verb"] as const;
+  protected readonly topics = ["panel"] as const;
 
   static override styles = [
     base,
     css`
       :host { display: block; margin: var(--s2); padding: var(--s-half); width: 72px; background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); }
       ul { display: grid; gap: var(--s-half); }
-      .verb { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 2px; width: 64px; height: 64px; border: 0; border-radius: 12px; background: none; color: var(--ink-2); font: 600 12px/16px var(--font); cursor: pointer; }
-      .verb .ico { width: 26px; height: 26px; }
-      .verb:hover { background: var(--well); color: var(--ink); }
-      .verb[aria-pressed="true"] { background: var(--ink); color: var(--on-ink); }
+      .panel { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 2px; width: 64px; height: 64px; border: 0; border-radius: 12px; background: none; color: var(--ink-2); font: 600 12px/16px var(--font); cursor: pointer; }
+      .panel .ico { width: 26px; height: 26px; }
+      .panel:hover { background: var(--well); color: var(--ink); }
+      .panel[aria-pressed="true"] { background: var(--ink); color: var(--on-ink); }
       @media (max-width: 719px) {
         :host { margin: 0; width: auto; border-radius: 0; box-shadow: none; padding: 4px 8px 12px; border-top: 1px solid var(--line); background: var(--desk); }
         ul { grid-template-columns: repeat(4, 1fr); }
-        .verb { width: 100%; height: 56px; }
+        .panel { width: 100%; height: 56px; }
       }
     `,
   ];
 
   protected override render() {
     return html`<nav aria-label="What to work on"><ul>
-      ${VERBS.map(
-        (verb, k) => html`<li>
-        <button class="verb" aria-pressed=${this.session.verb === verb.id} title="${verb.name} (${k + 1})"
-          @click=${() => this.session.setVerb(this.session.verb === verb.id ? null : verb.id)}>${icon(verb.id)}${verb.name}</button>
+      ${PANELS.map(
+        (panel, k) => html`<li>
+        <button class="panel" aria-pressed=${this.session.panel === panel.id} title="${panel.name} (${k + 1})"
+          @click=${() => this.session.setPanel(this.session.panel === panel.id ? null : panel.id)}>${icon(panel.id)}${panel.name}</button>
       </li>`,
       )}
     </ul></nav>`;

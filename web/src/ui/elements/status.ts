@@ -7,7 +7,7 @@ import { base } from "../styles";
 /** Which point is in hand, and how fast we solve. */
 @customElement("rigless-status")
 export class Status extends SessionElement {
-  protected readonly topics = ["selection", "document", "meter", "drag", "solve", "verb", "pairing", "pins", "teaching"] as const;
+  protected readonly topics = ["selection", "document", "meter", "drag", "solve", "panel", "pairing", "pins", "coverage"] as const;
 
   static override styles = [
     base,
@@ -29,8 +29,8 @@ export class Status extends SessionElement {
     this.toggleAttribute("plain", !point);
     this.toggleAttribute(
       "asking",
-      (session.verb === "points" && (session.pairing.adding || session.pairing.waiting !== null)) ||
-        session.teaching.asking !== null ||
+      (session.panel === "points" && (session.pairing.adding || session.pairing.waiting !== null)) ||
+        session.coverage.asking !== null ||
         session.pins.chosen !== null ||
         session.pins.armed,
     );

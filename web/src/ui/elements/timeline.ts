@@ -3,13 +3,13 @@ import { customElement, state } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { rulerStep } from "../timeline-model";
 import { base } from "../styles";
-import "./footing";
-import "./guesswork";
+import "./contact-rows";
+import "./coverage-strip";
 
 /** Ruler, poses as cels on diamonds, and who stands on the ground when. */
 @customElement("rigless-timeline")
 export class Timeline extends SessionElement {
-  protected readonly topics = ["frame", "play", "document", "solve", "thumbs", "teaching"] as const;
+  protected readonly topics = ["frame", "play", "document", "solve", "thumbs", "coverage"] as const;
   @state() private width = 1000;
   private readonly observer = new ResizeObserver(([entry]) => {
     if (entry) this.width = entry.contentRect.width;
@@ -21,7 +21,7 @@ export class Timeline extends SessionElement {
       :host { display: block; --label: 136px; --end: 20px; --start: 0px; }
       .tl { position: relative; display: grid; grid-template-columns: var(--label) 1fr; }
       .tl-label { display: flex; align-items: center; font: var(--t-small); color: var(--ink-2); min-width: 0; }
-      rigless-footing, rigless-guesswork { grid-column: 1 / -1; }
+      rigless-contact-rows, rigless-coverage-strip { grid-column: 1 / -1; }
       .lane { position: relative; margin: 0 var(--end) 0 var(--start); }
       .ruler { height: 20px; border-bottom: 1px solid var(--edge); background:
         repeating-linear-gradient(90deg, var(--edge) 0 1px, transparent 1px var(--major)) 0 100% / calc(100% + 1px) 8px no-repeat,
@@ -77,8 +77,8 @@ export class Timeline extends SessionElement {
     return html`<div class="tl">
       <span class="tl-label"></span>${this.renderRuler(last)}
       <span class="tl-label">Poses</span>${this.renderPoses(last)}
-      <rigless-footing .session=${this.session}></rigless-footing>
-      <rigless-guesswork .session=${this.session}></rigless-guesswork>
+      <rigless-contact-rows .session=${this.session}></rigless-contact-rows>
+      <rigless-coverage-strip .session=${this.session}></rigless-coverage-strip>
       ${player.frames > 0 ? html`<div class="playhead" style="--k:${player.frame / last}"><b>${player.frame}</b></div>` : nothing}
     </div>`;
   }
@@ -100,9 +100,9 @@ export class Timeline extends SessionElement {
     const now = session.player.frame;
     const place = (frame: number): string => `--f:${(100 * Math.min(frame, last)) / last}%`;
     return html`<div class="lane poses">
-      ${session.teaching.asked.map(
-        (frame) => html`<button class="pose asked ${frame === session.teaching.asking ? "sel" : ""}" style=${place(frame)}
-        title="Frame ${frame} would teach much" aria-label="Make the pose that is asked for at frame ${frame}" @click=${() => session.teaching.ask(frame)}><span class="thumb">+</span></button>`,
+      ${session.coverage.asked.map(
+        (frame) => html`<button class="pose asked ${frame === session.coverage.asking ? "sel" : ""}" style=${place(frame)}
+        title="Frame ${frame} would teach much" aria-label="Make the pose that is asked for at frame ${frame}" @click=${() => session.coverage.ask(frame)}><span class="thumb">+</span></button>`,
       )}
       ${session.poses.mirrored.map(({ pose, frame }) => {
         const picture = session.thumbnails.of(pose);

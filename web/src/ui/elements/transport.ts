@@ -3,9 +3,9 @@ import { customElement } from "lit/decorators.js";
 import { FPS } from "../../engine/types";
 import { SessionElement } from "../element";
 import { icon, pauseMark, playMark } from "../icons";
-import { SPEEDS } from "../session/player";
+import { SPEEDS } from "../../app/player";
 import { base } from "../styles";
-import { seconds } from "../words";
+import { seconds } from "../../util/words";
 
 @customElement("rigless-transport")
 export class Transport extends SessionElement {

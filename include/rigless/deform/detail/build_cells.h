@@ -1,0 +1,65 @@
+// From a mesh as people have it to cells that hang together: what a deformer binds.
+#pragma once
+
+#include "rigless/deform/detail/cells.h"
+#include "rigless/mesh/detail/shells.h"
+
+namespace rigless {
+
+// Cotangent weights, clamped; ties between shells get weight 1, about the mean of a well-shaped mesh.
+struct CotangentWeights {
+  template <class S>
+  static std::vector<S> of(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring) {
+    return cotangent_weights<S>(vertices, faces, ring);
+  }
+};
+
+struct UniformWeights {
+  template <class S>
+  static std::vector<S> of(Span<const Vec3<S>>, Span<const Face>, const OneRing& ring) {
+    return uniform_weights<S>(ring);
+  }
+};
+
+// Cells of V rest vertices and F faces; shells and isolated vertices are tied to what is nearest. `rigidity` is V
+// numbers or none: an edge gets the smaller of its ends'. Allocates. On failure `out` stays as it was. Errors:
+// no_faces; index_out_of_range (face); not_finite (vertex, also for a rigidity that is not above 0); size_mismatch
+// (rigidity).
+template <class Weights, class S>
+RIGLESS_COLD Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces, Span<const S> rigidity,
+                                Cells<S>& out) {
+  const auto count = static_cast<std::int32_t>(rest.size());
+  if (const Status s = check_faces(faces, count); !s.ok()) return s;
+  if (!rigidity.empty() && rigidity.size() != rest.size()) return {Error::size_mismatch, -1};
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const bool stiff = rigidity.empty() || (rigidity[v] > S(0) && std::isfinite(rigidity[v]));
+    if (!rest[v].allFinite() || !stiff) return {Error::not_finite, static_cast<std::int32_t>(v)};
+  }
+  Cells<S> cells;
+  cells.rest.assign(rest.begin(), rest.end());
+  cells.ring = one_ring(faces, count);
+  const auto ties = tie_shells<S>(rest, cells.ring);
+  if (!ties.empty()) {
+    std::vector<std::array<std::int32_t, 2>> pairs = ties;
+    for (const Face& f : faces) {
+      for (std::size_t k = 0; k < 3; ++k) pairs.push_back({f[k], f[(k + 1) % 3]});
+    }
+    cells.ring = one_ring_from_pairs(pairs, count);
+  }
+  cells.weight = Weights::template of<S>(rest, faces, cells.ring);
+  for (const auto& [a, b] : ties) {
+    cells.weight[static_cast<std::size_t>(cells.ring.slot(a, b))] = S(1);
+    cells.weight[static_cast<std::size_t>(cells.ring.slot(b, a))] = S(1);
+  }
+  for (std::size_t i = 0; i < rigidity.size(); ++i) {
+    for (auto k = static_cast<std::size_t>(cells.ring.first[i]); k < static_cast<std::size_t>(cells.ring.first[i + 1]);
+         ++k) {
+      cells.weight[k] *= std::min(rigidity[i], rigidity[static_cast<std::size_t>(cells.ring.neighbor[k])]);
+    }
+  }
+  measure_cells(cells);
+  out = std::move(cells);
+  return {};
+}
+
+}  // namespace rigless

@@ -1,0 +1,93 @@
+// The overlapping cells that cover a surface, one per vertex with its one-ring, and what is fitted to each: the local
+// step.
+#pragma once
+
+#include "rigless/math/detail/rotation.h"
+#include "rigless/mesh/detail/laplacian.h"
+
+namespace rigless {
+
+// Edge i -> j at rest is e_ij = rest_i - rest_j.
+template <class S>
+struct Cells {
+  OneRing ring;
+  std::vector<S> weight;         // per directed edge, symmetric, > 0
+  std::vector<Vec3<S>> rest;     // V
+  std::vector<S> weighted_size;  // V: sum_j w_ij |e_ij|^2
+
+  std::size_t size() const { return rest.size(); }
+};
+
+// Calls f(w_ij, e_ij, j) for every neighbour j of i.
+template <class S, class F>
+void for_each_edge(const Cells<S>& cells, std::size_t i, const F& f) {
+  const auto begin = static_cast<std::size_t>(cells.ring.first[i]);
+  const auto end = static_cast<std::size_t>(cells.ring.first[i + 1]);
+  for (std::size_t k = begin; k < end; ++k) {
+    const auto j = static_cast<std::size_t>(cells.ring.neighbor[k]);
+    f(cells.weight[k], Vec3<S>(cells.rest[i] - cells.rest[j]), j);
+  }
+}
+
+// Fills weighted_size from the rest. Allocates.
+template <class S>
+void measure_cells(Cells<S>& cells) {
+  cells.weighted_size.assign(cells.size(), S(0));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t) { cells.weighted_size[i] += w * e.squaredNorm(); });
+  }
+}
+
+// sum_j w_ij e_ij e'_ij^T. Source: thesis Eq 3.3.
+template <class S>
+Mat3<S> covariance(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i) {
+  Mat3<S> C = Mat3<S>::Zero();
+  for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+    C.noalias() += (w * e) * (surface[i] - surface[j]).transpose();
+  });
+  return C;
+}
+
+// How freely a cell of the scaled shape state changes its size: the energy gains mu |e_i|^2 (s_i - 1)^2. mu = 0 is the
+// thesis, where any similarity is free and stretched bodies inflate; infinity is as-rigid-as-possible.
+template <class S>
+struct ElasticScale {
+  S mu = S(0.5);
+
+  // Source: thesis Eq 3.6 with the elastic term; `ratio` is e'.e^r / e^r.e^r.
+  S operator()(S ratio) const { return S(1) + (ratio - S(1)) / (S(1) + mu); }
+};
+
+// Rotation and scale of cell i on this surface.
+template <class S>
+struct CellFit {
+  Mat3<S> R;
+  S s;
+};
+
+template <class S>
+CellFit<S> fit_cell(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i, const ElasticScale<S>& elastic) {
+  const Mat3<S> C = covariance(cells, surface, i);
+  CellFit<S> fit{nearest_rotation(C), S(1)};
+  if (cells.weighted_size[i] > S(0)) {
+    fit.s = elastic((fit.R.cwiseProduct(C.transpose())).sum() / cells.weighted_size[i]);  // tr(R C) = e'.e^r
+  }
+  return fit;
+}
+
+// Shape energy of the surface with R and s refitted: every edge counts from both its ends.
+// Source: thesis Eq 3.2, plus the elastic term.
+template <class S>
+S shape_energy(const Cells<S>& cells, Span<const Vec3<S>> surface, const ElasticScale<S>& elastic) {
+  S energy = S(0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const CellFit<S> fit = fit_cell(cells, surface, i, elastic);
+    for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+      energy += w * ((surface[i] - surface[j]) - fit.s * (fit.R * e)).squaredNorm();
+    });
+    if (std::isfinite(elastic.mu)) energy += elastic.mu * cells.weighted_size[i] * (fit.s - S(1)) * (fit.s - S(1));
+  }
+  return energy;
+}
+
+}  // namespace rigless

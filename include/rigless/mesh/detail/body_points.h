@@ -1,0 +1,278 @@
+// Where a stranger's model should be held: its head, hands, feet and trunk, told apart by where they are.
+#pragma once
+
+#include "rigless/mesh/detail/extremities.h"
+#include "rigless/mesh/detail/posture.h"
+
+namespace rigless {
+
+enum class BodyRole : std::int32_t { tip, head, hand, foot, foreleg, tail, hips, chest };
+
+template <class S>
+struct BodyPoint {
+  std::int32_t vertex = -1;
+  BodyRole role = BodyRole::tip;
+  std::int32_t side = 0;      // 1 on the body's left, -1 on its right, 0 in the middle
+  std::int32_t partner = -1;  // index of the same point on the other side, its own on the plane of symmetry, or -1
+  S radius = S(0);            // of what moves as one piece with it, along the surface
+  bool wanted = true;         // a body needs it to dance; else it is there to be chosen
+};
+
+// Points of a body, at most 32; the wanted ones come first.
+template <class S>
+class BodyReader {
+ public:
+  // Keeps what it is given. average: of average_geodesic(). Allocates.
+  BodyReader(const SurfaceGraph<S>& graph, Span<const S> average, const Posture<S>& posture,
+             const SymmetryPlane<S>& plane)
+      : graph_(graph), average_(average), plane_(plane) {
+    for (const Vec3<S>& p : graph.position) place_.push_back(posture.see(p));
+    const Bounds<S> box = bounds<S>(place_);
+    tall_ = std::max(box.height(), S(0.3) * box.diagonal());
+    if (!(tall_ > S(0))) tall_ = S(1);
+    const Vec3<S> ground((box.low.x() + box.high.x()) / S(2), box.low.y(), (box.low.z() + box.high.z()) / S(2));
+    const Vec3<S> normal = posture.see(plane.normal);
+    for (Vec3<S>& p : place_) {
+      if (symmetric())
+        p.x() = (normal.x() < S(0) ? S(-1) : S(1)) * plane.side(graph.position[index(p)]);
+      else
+        p.x() -= ground.x();
+      p.y() -= ground.y();
+      p.z() -= ground.z();
+      p /= tall_;
+    }
+    middle_ = std::max(S(0.06) * box.extent().x() / tall_, S(0.035));
+  }
+
+  // Allocates.
+  std::vector<BodyPoint<S>> read() {
+    if (graph_.size() == 0) return {};
+    find_tips();
+    center_ = static_cast<std::int32_t>(std::min_element(average_.begin(), average_.end()) - average_.begin());
+    head_ = find_head();
+    add_feet();
+    add_hands();
+    add(head_, BodyRole::head, true);
+    add_trunk();
+    add_rest();
+    match_partners();
+    for (BodyPoint<S>& p : points_) p.vertex = graph_.vertex[static_cast<std::size_t>(p.vertex)];
+    return points_;
+  }
+
+ private:
+  struct Tip {
+    std::int32_t node;
+    std::int32_t partner;  // tip on the other side, or -1
+    bool used;
+  };
+
+  bool symmetric() const { return is_symmetric(plane_); }
+  std::size_t index(const Vec3<S>& p) const { return static_cast<std::size_t>(&p - place_.data()); }
+  const Vec3<S>& place(std::int32_t node) const { return place_[static_cast<std::size_t>(node)]; }
+  S apart(std::int32_t a, std::int32_t b) const { return (place(a) - place(b)).norm(); }
+  std::int32_t side(std::int32_t node) const {
+    const S x = place(node).x();
+    return std::abs(x) < middle_ ? 0 : x > S(0) ? 1 : -1;
+  }
+
+  // Extremities that are no crumbs and not at the same place, and which of them are mirror images.
+  void find_tips() {
+    S area = 0;
+    for (const S a : graph_.area) area += a;
+    for (const Extremity<S>& e : extremities(graph_, average_, S(0.02) * tall_)) {
+      if (graph_.shell_area[static_cast<std::size_t>(e.node)] < S(0.01) * area) continue;
+      const bool near =
+          std::any_of(tips_.begin(), tips_.end(), [&](const Tip& t) { return apart(t.node, e.node) < S(0.12); });
+      if (!near && tips_.size() < 24) tips_.push_back({e.node, -1, false});
+    }
+    for (std::size_t a = 0; a < tips_.size(); ++a) {
+      if (side(tips_[a].node) == 0 || tips_[a].partner >= 0) continue;
+      S nearest = S(0.2);
+      for (std::size_t b = a + 1; b < tips_.size(); ++b) {
+        const S off = (flipped(tips_[a].node) - place(tips_[b].node)).norm();
+        if (tips_[b].partner >= 0 || side(tips_[b].node) == side(tips_[a].node) || off >= nearest) continue;
+        nearest = off;
+        tips_[a].partner = static_cast<std::int32_t>(b);
+      }
+      if (tips_[a].partner >= 0)
+        tips_[static_cast<std::size_t>(tips_[a].partner)].partner = static_cast<std::int32_t>(a);
+    }
+  }
+
+  Vec3<S> flipped(std::int32_t node) const { return {-place(node).x(), place(node).y(), place(node).z()}; }
+
+  template <class Score>
+  std::int32_t best_node(const Score& score) const {
+    std::int32_t best = -1;
+    S highest = -std::numeric_limits<S>::max();
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+      const S s = score(place_[i]);
+      if (s <= highest) continue;
+      highest = s;
+      best = static_cast<std::int32_t>(i);
+    }
+    return best;
+  }
+
+  // The best node in the middle; of a lopsided body, the best at all.
+  template <class Score>
+  std::int32_t best_middle(const Score& score) const {
+    return best_node(
+        [&](const Vec3<S>& p) { return score(p) - (symmetric() && std::abs(p.x()) > middle_ ? S(10) : S(0)); });
+  }
+
+  // How far a limb reaches before it is a tube: there what lies within a distance grows no faster than it.
+  S thickness(std::int32_t node) const {
+    S area = 0;
+    std::size_t seen = 0;
+    const auto reached = vertices_within<S>(graph_.position, graph_.ring, node, S(0.3) * tall_);
+    for (const auto& [other, distance] : reached) {
+      area += graph_.area[static_cast<std::size_t>(other)];
+      if (++seen > 12 && S(6.2832) * distance * distance > S(2.6) * area) return distance;
+    }
+    return S(0.3) * tall_;
+  }
+
+  // High, in front and in the middle; not a crest, a horn or the tip of a hat, which are thin.
+  std::int32_t find_head() const {
+    std::vector<char> thin(place_.size(), 0);
+    std::int32_t head = center_;
+    for (int tries = 0; tries < 6; ++tries) {
+      head = best_middle([&](const Vec3<S>& p) {
+        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[index(p)] != 0 ? S(20) : S(0));
+      });
+      const S thick = thickness(head);
+      if (thick >= S(0.055) * tall_) break;
+      for (const auto& reached : vertices_within<S>(graph_.position, graph_.ring, head, S(2) * thick))
+        thin[static_cast<std::size_t>(reached.vertex)] = 1;
+    }
+    return head;
+  }
+
+  // A head keeps its shape as a whole, faces being what one looks at.
+  void add(std::int32_t node, BodyRole role, bool wanted) {
+    if (node < 0) return;
+    for (const BodyPoint<S>& p : points_)
+      if (apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
+    const bool head = role == BodyRole::head;
+    const bool central = head || role == BodyRole::hips || role == BodyRole::chest;
+    const S radius = head ? std::clamp(S(2) * thickness(node), S(0.08) * tall_, S(0.2) * tall_)
+                          : std::clamp(thickness(node), S(0.04) * tall_, S(0.1) * tall_);
+    points_.push_back({node, role, central ? 0 : side(node), -1, radius, wanted});
+  }
+
+  // Tips on the ground, by pairs; those before the middle are forelegs. A body without any stands on the edges of its
+  // base.
+  void add_feet() {
+    std::vector<std::size_t> feet;
+    S middle = 0;
+    for (std::size_t t = 0; t < tips_.size(); ++t) {
+      if (place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
+      if (place(tips_[static_cast<std::size_t>(tips_[t].partner)].node).y() > S(0.12)) continue;
+      feet.push_back(t);
+      middle += place(tips_[t].node).z();
+    }
+    legs_ = feet.size();
+    for (const std::size_t t : feet) {
+      const bool fore = legs_ >= 4 && place(tips_[t].node).z() > middle / static_cast<S>(legs_);
+      tips_[t].used = true;
+      add(tips_[t].node, fore ? BodyRole::foreleg : BodyRole::foot, true);
+    }
+    if (legs_ > 0) return;
+    for (const S sign : {S(1), S(-1)})
+      add(best_node([&](const Vec3<S>& p) {
+            return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
+          }),
+          BodyRole::foot, true);
+  }
+
+  // The most prominent pair that is no ears and no horns: those are nearer to the head than to the middle.
+  void add_hands() {
+    const std::vector<S> from_head = node_distances(graph_, head_), from_center = node_distances(graph_, center_);
+    const auto is_arm = [&](const Tip& t) {
+      const auto node = static_cast<std::size_t>(t.node);
+      return !t.used && from_head[node] > S(0.9) * from_center[node];
+    };
+    for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
+      if (tips_[t].partner < 0) continue;
+      Tip& other = tips_[static_cast<std::size_t>(tips_[t].partner)];
+      if (!is_arm(tips_[t]) || !is_arm(other)) continue;
+      for (Tip* hand : {&tips_[t], &other}) {
+        hand->used = true;
+        add(hand->node, BodyRole::hand, true);
+      }
+      return;
+    }
+  }
+
+  // On two legs the belly and the chest above it; on four the rump and the withers. They are offered only: what the
+  // limbs and the head do to a trunk looks better than what a human's trunk does to a stranger's.
+  void add_trunk() {
+    if (legs_ >= 4) {
+      add(back_over(BodyRole::foot), BodyRole::hips, false);
+      add(back_over(BodyRole::foreleg), BodyRole::chest, false);
+      return;
+    }
+    // The middle of all is above the belly, since arms and head count.
+    const S belly = S(0.72) * place(center_).y();
+    add(front_at(belly), BodyRole::hips, false);
+    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, false);
+  }
+
+  std::int32_t front_at(S height) const {
+    return best_middle([=](const Vec3<S>& p) { return p.z() - S(3) * std::abs(p.y() - height); });
+  }
+
+  std::int32_t back_over(BodyRole legs) const {
+    S z = 0, count = 0;
+    for (const BodyPoint<S>& p : points_) {
+      if (p.role != legs) continue;
+      z += place(p.vertex).z();
+      count += S(1);
+    }
+    if (!(count > S(0))) return -1;
+    return best_middle([=](const Vec3<S>& p) { return p.y() - S(3) * std::abs(p.z() - z / count); });
+  }
+
+  void add_rest() {
+    for (const Tip& t : tips_) {
+      if (t.used) continue;
+      const bool tail = side(t.node) == 0 && place(t.node).z() < place(center_).z() - S(0.15);
+      add(t.node, tail ? BodyRole::tail : BodyRole::tip, false);
+    }
+  }
+
+  void match_partners() {
+    for (std::size_t a = 0; a < points_.size() && symmetric(); ++a) {
+      if (points_[a].side == 0) points_[a].partner = static_cast<std::int32_t>(a);
+      if (points_[a].partner >= 0) continue;
+      S nearest = S(0.2);
+      std::size_t match = points_.size();
+      for (std::size_t b = a + 1; b < points_.size(); ++b) {
+        const S off = (flipped(points_[a].vertex) - place(points_[b].vertex)).norm();
+        if (points_[b].partner >= 0 || points_[a].side + points_[b].side != 0 || points_[a].role != points_[b].role ||
+            off >= nearest)
+          continue;
+        nearest = off;
+        match = b;
+      }
+      if (match == points_.size()) continue;
+      points_[a].partner = static_cast<std::int32_t>(match);
+      points_[match].partner = static_cast<std::int32_t>(a);
+    }
+  }
+
+  const SurfaceGraph<S>& graph_;
+  Span<const S> average_;
+  SymmetryPlane<S> plane_;
+  std::vector<Vec3<S>> place_;  // N: left, up from the ground, forward; in heights
+  S tall_ = S(1);               // of the body, in the file's units
+  S middle_ = S(0);             // as far from the plane is still the middle
+  std::vector<Tip> tips_;
+  std::vector<BodyPoint<S>> points_;  // `vertex` is a node until read() ends
+  std::size_t legs_ = 0;
+  std::int32_t center_ = 0, head_ = 0;
+};
+
+}  // namespace rigless

@@ -1,0 +1,111 @@
+// Which way a model stands and looks, guessed from its shape.
+#pragma once
+
+#include "rigless/mesh/detail/symmetry.h"
+
+namespace rigless {
+
+// Three axes of the file, right-handed: the body's left, its up and its front.
+template <class S>
+struct Posture {
+  Vec3<S> left = Vec3<S>::UnitX();
+  Vec3<S> up = Vec3<S>::UnitY();
+  Vec3<S> front = Vec3<S>::UnitZ();
+
+  // Seen by the body: left, up, front.
+  Vec3<S> see(const Vec3<S>& p) const { return {left.dot(p), up.dot(p), front.dot(p)}; }
+};
+
+namespace detail {
+
+// Axis k of 0 .. 5: +x, -x, +y, -y, +z, -z.
+template <class S>
+Vec3<S> signed_axis(int k) {
+  return (k % 2 == 0 ? S(1) : S(-1)) * Vec3<S>::Unit(k / 2);
+}
+
+template <class S>
+Vec3<S> mean_of(Span<const Vec3<S>> samples) {
+  Vec3<S> mean = Vec3<S>::Zero();
+  for (const Vec3<S>& p : samples) mean += p / static_cast<S>(samples.size());
+  return mean;
+}
+
+// What speaks for an axis being up: files mostly say +y, some +z; the weight of a body is over what it stands on, which
+// is mostly two tips or four, and a narrow body is upright.
+template <class S>
+S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<S>& up) {
+  const Bounds<S> box = bounds(samples);
+  const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
+  Bounds<S> base{box.high, box.low};
+  for (const Vec3<S>& p : samples) {
+    if (up.dot(p) - low > S(0.04) * tall) continue;
+    base.low = base.low.cwiseMin(p);
+    base.high = base.high.cwiseMax(p);
+  }
+  const Vec3<S> mean = mean_of(samples), off = (mean - (base.low + base.high) / S(2)).cwiseAbs();
+  const Vec3<S> room = (base.high - base.low) / S(2) + (S(1) * box.diagonal()) * up.cwiseAbs();
+  int standing = 0;
+  for (const Vec3<S>& p : tips) standing += up.dot(p) - low < S(0.1) * tall ? 1 : 0;
+  S wide = 0, deep = std::numeric_limits<S>::max();
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(up[k]) > S(0.5)) continue;
+    wide = std::max(wide, box.extent()[k]);
+    deep = std::min(deep, box.extent()[k]);
+  }
+  S score = up.y() > S(0.5) ? S(1) : up.z() > S(0.5) ? S(0.6) : S(0);
+  if ((off.array() <= room.array()).all()) score += standing >= 4 ? S(2.5) : standing >= 2 ? S(2) : S(1);
+  score += tall > S(1.05) * wide ? S(0.7) : tall < S(0.95) * deep ? S(-0.5) : S(0);
+  return score;
+}
+
+// Above 0 if the body looks along `front`: its toes are before its shins, its head before its middle.
+template <class S>
+S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& front) {
+  const Bounds<S> box = bounds(samples);
+  const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
+  const S length = std::abs(front.dot(box.extent()));
+  if (!(tall > S(0)) || !(length > S(0))) return S(0);
+  std::array<S, 4> sum{}, count{};  // toes, shins, head, all
+  for (const Vec3<S>& p : samples) {
+    const S h = (up.dot(p) - low) / tall, f = front.dot(p);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k == 3 || (k == 0 && h < S(0.06)) || (k == 1 && h > S(0.1) && h < S(0.2)) || (k == 2 && h > S(0.75))) {
+        sum[k] += f;
+        count[k] += S(1);
+      }
+    }
+  }
+  const auto mean = [&](std::size_t k) { return count[k] > S(0) ? sum[k] / count[k] : sum[3] / count[3]; };
+  return (mean(0) - mean(1)) / tall + (mean(2) - mean(3)) / std::max(length, tall);
+}
+
+}  // namespace detail
+
+// The axes of a body from M samples of its surface, its tips and the plane that fits it best, which may fit badly: left
+// and right are across it. Where nothing speaks for another answer it is that of most files, +y up and +z front. No
+// allocation.
+template <class S>
+Posture<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const SymmetryPlane<S>& plane) {
+  Posture<S> posture;
+  if (samples.empty()) return posture;
+  int across = -1;  // the file's axis from side to side
+  if (plane.misfit < S(0.035)) plane.normal.cwiseAbs().maxCoeff(&across);
+  S best = -std::numeric_limits<S>::max();
+  for (const int k : {2, 4, 5, 3, 0, 1}) {
+    if (k / 2 == across) continue;
+    const Vec3<S> up = detail::signed_axis<S>(k);
+    const S score = detail::uprightness(samples, tips, up);
+    if (score <= best + S(0.01)) continue;
+    best = score;
+    posture.up = up;
+  }
+  if (across < 0) across = std::abs(posture.up.x()) > S(0.5) ? 1 : 0;
+  posture.front = posture.up.cross(Vec3<S>::Unit(across)).cwiseAbs();
+  if (std::abs(posture.up.z()) > S(0.5)) posture.front = -posture.front;  // the front of a file whose z is up is -y
+  if (detail::forwardness(samples, posture.up, posture.front) < S(-0.01)) posture.front = -posture.front;
+  posture.left = posture.up.cross(posture.front);
+  return posture;
+}
+
+}  // namespace rigless

@@ -1,0 +1,42 @@
+// All that a bare mesh says of itself: how it stands, whether it is symmetric, where to hold it.
+#pragma once
+
+#include "rigless/mesh/detail/body_points.h"
+
+namespace rigless {
+
+template <class S>
+struct ShapeAnalysis {
+  Posture<S> posture;
+  SymmetryPlane<S> plane;  // the best there is; see is_symmetric()
+  std::vector<BodyPoint<S>> points;
+};
+
+// Guesses from V vertices in any axes and units and F faces. A guess may be wrong and is meant to be shown. Allocates;
+// about 0.2 s in WASM, whatever V is. Errors: no_faces; index_out_of_range (where: face); not_finite (where: vertex).
+// On failure `out` keeps what it had.
+template <class S>
+Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out) {
+  if (const Status status = check_faces(faces, static_cast<std::int32_t>(vertices.size())); !status.ok()) return status;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (!vertices[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
+  }
+  ShapeAnalysis<S> found;
+  const SurfaceGraph<S> graph = surface_graph(vertices, faces);
+  const std::vector<S> average = average_geodesic(graph);
+  const std::vector<Vec3<S>> samples = surface_samples(vertices, faces, 6000);
+  const S diagonal = bounds(vertices).diagonal();
+  std::vector<Vec3<S>> tips;  // those that stand apart: the rim of a disc is one
+  for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * diagonal)) {
+    const Vec3<S>& tip = graph.position[static_cast<std::size_t>(e.node)];
+    const auto near = [&](const Vec3<S>& other) { return (other - tip).norm() < S(0.1) * diagonal; };
+    if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
+  }
+  found.plane = SymmetryFinder<S>(samples).best(tips);
+  found.posture = guess_posture<S>(samples, tips, found.plane);
+  found.points = BodyReader<S>(graph, average, found.posture, found.plane).read();
+  out = std::move(found);
+  return {};
+}
+
+}  // namespace rigless

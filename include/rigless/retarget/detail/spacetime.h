@@ -1,0 +1,314 @@
+// The spacetime system: all frames of all control tracks at once, under hard constraints.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "rigless/math/span.h"
+#include "rigless/math/status.h"
+#include "rigless/math/types.h"
+#include "rigless/retarget/constraints.h"
+#include "rigless/retarget/detail/spacetime_track.h"
+#include "rigless/retarget/detail/weight_elimination.h"
+
+namespace rigless {
+
+template <class S>
+struct SpacetimeOptions {
+  WeightOptions<S> weights;
+  // An offset track exists only on tracks with a constraint, so that a constraint changes no other track.
+  TrackOptions<S> track;
+  // Give of the hard constraints: repeated or contradicting ones meet at the nearest compromise.
+  S compliance = S(1e-9);
+
+  // The paper's own formulation: the 4 nearest examples, a soft affine row, exact constraints.
+  static SpacetimeOptions thesis() {
+    SpacetimeOptions options;
+    options.weights.locality = options.weights.sharing = 0;
+    options.weights.soft_affine = 1;
+    options.weights.nearest = 4;
+    options.compliance = 0;
+    return options;
+  }
+};
+
+// What one control is learned from.
+template <class S>
+struct TrackInput {
+  Span<const S> features;                // T x D
+  Span<const S> example_features;        // N x D
+  Span<const Vec3<S>> example_controls;  // N
+  Span<const S> stiffness = {};          // T x N further costs of the weights, see WeightCost; usually empty
+  Span<const S> pull = {};
+};
+
+// Solves the spacetime system of thesis Eq 3.29 for C tracks of T frames. The frames of a track are coupled through its
+// three coordinates only, so each frame's weights are eliminated first, then each track is one band system, and the
+// constraints are what remains (a Schur complement over all tracks). Linear in T.
+//
+// begin(), then advance() until it returns false, then finish(). The arrays given to begin() must live until then.
+template <class S>
+class SpacetimeSolver {
+ public:
+  // Allocates. Errors: no_frames; no_examples; size_mismatch (lengths that do not fit; where: track); not_finite
+  // (where: track, or constraint); index_out_of_range (where: constraint). On failure the previous solution is kept.
+  Status begin(Span<const TrackInput<S>> tracks, std::int32_t frames, const Constraints<S>& constraints,
+               const SpacetimeOptions<S>& options) {
+    if (frames <= 0) return {Error::no_frames, -1};
+    for (std::size_t t = 0; t < tracks.size(); ++t) {
+      const Error error = check(tracks[t], static_cast<std::size_t>(frames));
+      if (error != Error::none) return {error, static_cast<std::int32_t>(t)};
+    }
+    const Status status = constraint_rows(constraints, frames, static_cast<std::int32_t>(tracks.size()), rows_);
+    if (!status.ok()) return status;
+    options_ = options;
+    frames_ = static_cast<std::size_t>(frames);
+    inputs_.assign(tracks.begin(), tracks.end());
+    prepare(constraints.size());
+    return {};
+  }
+
+  // Works on for about that many frames; a constraint equation counts as T frames. Returns true while work is left.
+  // Allocates only when it comes to another track.
+  bool advance(std::int32_t budget) {
+    while (budget > 0 && stage_ != Stage::done) {
+      switch (stage_) {
+        case Stage::frames:
+          budget -= 1;
+          next_frame();
+          break;
+        case Stage::rows:
+          budget -= static_cast<std::int32_t>(frames_);
+          next_row();
+          break;
+        case Stage::tracks:
+          budget -= static_cast<std::int32_t>(frames_);
+          next_constrained_track();
+          break;
+        case Stage::done:
+          break;
+      }
+    }
+    return stage_ != Stage::done;
+  }
+
+  // Errors: factorization_failed (the weights of a frame are not determined; where: frame).
+  Status finish() {
+    RIGLESS_ASSERT(stage_ == Stage::done);
+    return status_;
+  }
+
+  // 0 to 1.
+  double progress() const {
+    const double per_track = static_cast<double>(frames_ + 1), all = static_cast<double>(inputs_.size()) * per_track;
+    const double done = static_cast<double>(track_) * per_track + static_cast<double>(frame_);
+    if (stage_ != Stage::frames) return stage_ == Stage::done ? 1 : 0.95;
+    return all > 0 ? 0.9 * done / all : 0;
+  }
+
+  // T positions of one track, and its T x N weights.
+  Span<const Vec3<S>> track(std::int32_t index) const { return solution_[static_cast<std::size_t>(index)]; }
+  Span<const S> weights(std::int32_t index) const { return weights_[static_cast<std::size_t>(index)]; }
+
+  // How far each constraint is missed at worst, counted through positions, velocities, heights; and which other one
+  // stands most in its way, or -1: constraints that repeat each other do not.
+  Span<const S> residuals() const { return residuals_; }
+  Span<const std::int32_t> opponents() const { return opponents_; }
+
+ private:
+  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  enum class Stage { frames, rows, tracks, done };
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  static Error check(const TrackInput<S>& in, std::size_t frames) {
+    const std::size_t examples = in.example_controls.size();
+    if (examples == 0) return Error::no_examples;
+    const std::size_t dimension = in.features.size() / frames;
+    if (dimension == 0 || in.features.size() != frames * dimension ||
+        in.example_features.size() != examples * dimension || in.stiffness.size() != in.pull.size() ||
+        (!in.pull.empty() && in.pull.size() != frames * examples))
+      return Error::size_mismatch;
+    const auto finite = [](S x) { return std::isfinite(x); };
+    if (!std::all_of(in.features.begin(), in.features.end(), finite)) return Error::not_finite;
+    if (!std::all_of(in.example_features.begin(), in.example_features.end(), finite)) return Error::not_finite;
+    for (const Vec3<S>& c : in.example_controls)
+      if (!c.allFinite()) return Error::not_finite;
+    return Error::none;
+  }
+
+  // Tracks with a constraint keep their factors until the constraint forces are known; the others share one workspace.
+  void prepare(std::size_t constraints) {
+    const std::size_t tracks = inputs_.size();
+    workspace_.assign(tracks, none);
+    std::size_t constrained = 0;
+    for (const auto& row : rows_)
+      for (const auto& term : row.terms) {
+        std::size_t& own = workspace_[static_cast<std::size_t>(term.track)];
+        if (own == none) own = ++constrained;
+      }
+    systems_.resize(constrained + 1);
+    solution_.resize(tracks);
+    weights_.resize(tracks);
+    force_.assign(frames_, Vec3<S>::Zero());
+    change_.resize(frames_);
+    const auto size = static_cast<Eigen::Index>(rows_.size());
+    schur_ = Matrix::Zero(size, size);
+    residuals_.assign(constraints, S(0));
+    opponents_.assign(constraints, -1);
+    status_ = {};
+    track_ = frame_ = row_ = 0;
+    stage_ = tracks > 0 ? Stage::frames : Stage::done;
+  }
+
+  bool constrained(std::size_t track) const { return workspace_[track] != none; }
+  SpacetimeTrack<S>& system(std::size_t track) { return systems_[constrained(track) ? workspace_[track] : 0]; }
+
+  void next_frame() {
+    const TrackInput<S>& in = inputs_[track_];
+    if (frame_ == 0) {
+      TrackOptions<S> options = options_.track;
+      if (!constrained(track_)) options.offset_weight = 0;
+      system(track_).bind(static_cast<std::int32_t>(frames_), in.example_controls.size(), options);
+      elimination_.bind(in.example_features, in.example_controls, options_.weights);
+    }
+    WeightCost<S> cost;
+    const std::size_t first = frame_ * in.example_controls.size();
+    if (!in.stiffness.empty()) cost = {&in.stiffness[first], &in.pull[first]};
+    if (!system(track_).append(elimination_, &in.features[frame_ * (in.features.size() / frames_)], cost)) {
+      status_ = {Error::factorization_failed, static_cast<std::int32_t>(frame_)};
+      stage_ = Stage::done;
+      return;
+    }
+    if (++frame_ < frames_) return;
+    solve_track(track_);
+    frame_ = 0;
+    if (++track_ < inputs_.size()) return;
+    track_ = 0;
+    stage_ = rows_.empty() ? Stage::done : Stage::rows;
+  }
+
+  // Solves one track under force_, and recovers its weights.
+  void solve_track(std::size_t track) {
+    const std::size_t examples = inputs_[track].example_controls.size();
+    solution_[track].resize(frames_);
+    weights_[track].resize(frames_ * examples);
+    system(track).solve(force_, true, solution_[track]);
+    system(track).recover_weights(force_, solution_[track], weights_[track]);
+  }
+
+  void add_force(std::size_t track, const ConstraintRow<S>& row, S multiplier) {
+    for (const auto& term : row.terms)
+      if (static_cast<std::size_t>(term.track) == track)
+        force_[static_cast<std::size_t>(term.frame)][term.axis] += term.factor * multiplier;
+  }
+
+  // One column of the Schur complement: how a unit force along this row moves all rows.
+  void next_row() {
+    const ConstraintRow<S>& row = rows_[row_];
+    const auto col = static_cast<Eigen::Index>(row_);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::int32_t track = row.terms[k].track;
+      if (k == 1 && track == row.terms[0].track) break;
+      std::fill(force_.begin(), force_.end(), Vec3<S>::Zero());
+      add_force(static_cast<std::size_t>(track), row, S(1));
+      system(static_cast<std::size_t>(track)).solve(force_, false, change_);
+      for (std::size_t r = 0; r < rows_.size(); ++r)
+        for (const auto& term : rows_[r].terms)
+          if (term.track == track)
+            schur_(static_cast<Eigen::Index>(r), col) -=
+                term.factor * change_[static_cast<std::size_t>(term.frame)][term.axis];
+    }
+    if (++row_ < rows_.size()) return;
+    solve_multipliers();
+    stage_ = Stage::tracks;
+  }
+
+  S value(const ConstraintRow<S>& row) const {
+    S sum = 0;
+    for (const auto& term : row.terms)
+      sum += term.factor *
+             solution_[static_cast<std::size_t>(term.track)][static_cast<std::size_t>(term.frame)][term.axis];
+    return sum;
+  }
+
+  void solve_multipliers() {
+    const auto size = static_cast<Eigen::Index>(rows_.size());
+    Eigen::Matrix<S, Eigen::Dynamic, 1> excess(size);
+    for (Eigen::Index r = 0; r < size; ++r) {
+      const ConstraintRow<S>& row = rows_[static_cast<std::size_t>(r)];
+      excess[r] = value(row) - row.target;
+    }
+    const S rounding = S(16) * std::numeric_limits<S>::epsilon() * schur_.diagonal().cwiseAbs().maxCoeff();
+    const S give = std::max({options_.compliance, rounding, std::numeric_limits<S>::min()});
+    Matrix system = (schur_ + schur_.transpose()) / S(2) + give * Matrix::Identity(size, size);
+    std::vector<std::int32_t> exchange(rows_.size());
+    lu_in_place(system, exchange.data());
+    solve_lu(system, exchange.data(), excess);
+    multipliers_ = excess;
+    find_opponents(system, exchange, give);
+  }
+
+  // What is missed, give * multipliers, lies in the null space of the Schur complement. The column of its projector,
+  // give (schur + give I)^-1, that belongs to a missed equation names those that depend on it.
+  void find_opponents(const Matrix& factors, const std::vector<std::int32_t>& exchange, S give) {
+    std::vector<S> worst(opponents_.size(), std::sqrt(std::numeric_limits<S>::epsilon()) * S(10));
+    for (Eigen::Index r = 0; r < multipliers_.size(); ++r) {
+      const std::int32_t own = rows_[static_cast<std::size_t>(r)].constraint;
+      const S missed = give * std::abs(multipliers_[r]);
+      if (missed <= worst[static_cast<std::size_t>(own)]) continue;
+      worst[static_cast<std::size_t>(own)] = missed;
+      Eigen::Matrix<S, Eigen::Dynamic, 1> column = Eigen::Matrix<S, Eigen::Dynamic, 1>::Unit(multipliers_.size(), r);
+      solve_lu(factors, exchange.data(), column);
+      S most = S(1e-3);
+      for (Eigen::Index s = 0; s < column.size(); ++s) {
+        const std::int32_t other = rows_[static_cast<std::size_t>(s)].constraint;
+        if (other == own || give * std::abs(column[s]) <= most) continue;
+        most = give * std::abs(column[s]);
+        opponents_[static_cast<std::size_t>(own)] = other;
+      }
+    }
+  }
+
+  void next_constrained_track() {
+    while (track_ < inputs_.size() && !constrained(track_)) ++track_;
+    if (track_ < inputs_.size()) {
+      std::fill(force_.begin(), force_.end(), Vec3<S>::Zero());
+      for (std::size_t r = 0; r < rows_.size(); ++r)
+        add_force(track_, rows_[r], multipliers_[static_cast<Eigen::Index>(r)]);
+      solve_track(track_++);
+      return;
+    }
+    for (const auto& row : rows_) {
+      S& worst = residuals_[static_cast<std::size_t>(row.constraint)];
+      worst = std::max(worst, std::abs(value(row) - row.target));
+    }
+    stage_ = Stage::done;
+  }
+
+  SpacetimeOptions<S> options_;
+  std::vector<TrackInput<S>> inputs_;  // C
+  std::size_t frames_ = 0;             // T
+  std::vector<ConstraintRow<S>> rows_;
+
+  Stage stage_ = Stage::done;
+  Status status_;
+  std::size_t track_ = 0, frame_ = 0, row_ = 0;  // what comes next
+  WeightElimination<S> elimination_;
+  std::vector<SpacetimeTrack<S>> systems_;  // 0: shared by the tracks without constraints
+  std::vector<std::size_t> workspace_;      // C, into systems_
+  std::vector<Vec3<S>> force_, change_;     // T
+  Matrix schur_;
+  Eigen::Matrix<S, Eigen::Dynamic, 1> multipliers_;
+
+  std::vector<std::vector<Vec3<S>>> solution_;  // C x T
+  std::vector<std::vector<S>> weights_;         // C x T x N
+  std::vector<S> residuals_;
+  std::vector<std::int32_t> opponents_;
+};
+
+}  // namespace rigless

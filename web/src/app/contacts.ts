@@ -1,0 +1,61 @@
+import * as clips from "../document/clips";
+import type { Gesture } from "../document/store";
+import { runsOf } from "../ui/timeline-model";
+import type { Run } from "../ui/timeline-model";
+import type { Session } from "./session";
+
+/** The row of flights beside those of the points. */
+export const FLIGHTS = "flights";
+
+export interface ContactRow {
+  /** A point's id, or FLIGHTS. */
+  readonly id: string;
+  readonly name: string;
+  /** From 1; null for the flights. */
+  readonly number: number | null;
+  readonly runs: readonly Run[];
+  /** Not as in the motion. */
+  readonly edited: boolean;
+}
+
+/** Who stands on the ground when, and when nobody does: from the motion, until somebody says otherwise. */
+export class Contacts {
+  constructor(private readonly session: Session) {}
+
+  /** Points that ever stand, are held by a pin or are selected, and the flights. */
+  get rows(): readonly ContactRow[] {
+    const { document, performance, selected } = this.session;
+    if (!performance) return [];
+    const { contacts = {}, flights, pins = [] } = clips.clipOf(document);
+    const points = document.points
+      .map(({ id, name }, control): ContactRow => {
+        const said = Object.hasOwn(contacts, id) ? contacts[id] : undefined;
+        return {
+          id,
+          name,
+          number: control + 1,
+          runs: said ?? runsOf(performance, control, document.points.length),
+          edited: said !== undefined,
+        };
+      })
+      .filter(({ id, runs, edited }) => runs.length > 0 || edited || id === selected || pins.some((pin) => pin.point === id));
+    const air: ContactRow = {
+      id: FLIGHTS,
+      name: "In the air",
+      number: null,
+      runs: flights ?? performance.flights,
+      edited: flights !== undefined,
+    };
+    return points.length === 0 || (air.runs.length === 0 && !air.edited) ? points : [...points, air];
+  }
+
+  /** One gesture is one step. */
+  say(row: string, runs: readonly Run[], gesture?: Gesture): void {
+    this.session.apply(row === FLIGHTS ? clips.setFlights(runs) : clips.setContacts(row, runs), gesture);
+  }
+
+  /** As in the motion again. */
+  reset(row: string): void {
+    this.session.apply(row === FLIGHTS ? clips.setFlights(null) : clips.setContacts(row, null));
+  }
+}

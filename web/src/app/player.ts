@@ -1,0 +1,104 @@
+import { FPS } from "../engine/types";
+import { Emitter } from "../util/emitter";
+
+export interface PlayerEvents {
+  /** The frame to show changed. */
+  frame: number;
+  /** The end was reached and the beginning comes next. */
+  again: void;
+  /** Playing, loop, speed or the length changed. */
+  state: void;
+}
+
+export const SPEEDS = [0.25, 0.5, 1, 2] as const;
+
+/** The playhead: which frame is now. Knows nothing of what a frame shows. */
+export class Player extends Emitter<PlayerEvents> {
+  frames = 0;
+  playing = false;
+  loop = true;
+  speed = 1;
+  /** Playing, but the time stands still: a hand is about to take something that moves. */
+  waiting = false;
+  private time = 0;
+  private last = 0;
+  private request = 0;
+
+  get frame(): number {
+    return this.frames === 0 ? 0 : Math.min(this.frames - 1, Math.floor(this.time * FPS + 1e-6));
+  }
+
+  setFrames(frames: number): void {
+    if (frames === this.frames) return;
+    this.frames = frames;
+    if (this.time * FPS >= frames) this.time = 0;
+    this.emit("state", undefined);
+    this.emit("frame", this.frame);
+  }
+
+  play(): void {
+    if (this.playing || this.frames === 0) return;
+    if (!this.loop && this.frame === this.frames - 1) this.time = 0;
+    this.playing = true;
+    this.last = performance.now();
+    this.request = requestAnimationFrame(this.tick);
+    this.emit("state", undefined);
+  }
+
+  pause(): void {
+    if (!this.playing) return;
+    this.playing = false;
+    cancelAnimationFrame(this.request);
+    this.emit("state", undefined);
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  setLoop(loop: boolean): void {
+    this.loop = loop;
+    this.emit("state", undefined);
+  }
+
+  setSpeed(speed: number): void {
+    this.speed = speed;
+    this.emit("state", undefined);
+  }
+
+  /** Goes to a frame; playing goes on from there. */
+  seek(frame: number): void {
+    if (this.frames === 0) return;
+    const before = this.frame;
+    this.time = Math.max(0, Math.min(this.frames - 1, Math.round(frame))) / FPS;
+    if (this.frame !== before) this.emit("frame", this.frame);
+  }
+
+  /** Pauses and moves by whole frames, around the ends when looping. */
+  step(by: number): void {
+    this.pause();
+    const to = this.frame + by;
+    this.seek(this.loop ? (to + this.frames) % this.frames : to);
+  }
+
+  private readonly tick = (now: number): void => {
+    if (!this.playing) return;
+    const before = this.frame;
+    // A tab that slept must not jump through the whole dance; a frame's time may lie before the click that began it.
+    if (!this.waiting) this.time += (Math.min(100, Math.max(0, now - this.last)) / 1000) * this.speed;
+    this.last = now;
+    const length = this.frames / FPS;
+    if (this.time >= length) {
+      if (this.loop) {
+        this.time %= length;
+        this.emit("again", undefined);
+      } else {
+        this.time = (this.frames - 1) / FPS;
+        this.pause();
+      }
+    }
+    if (this.frame !== before) this.emit("frame", this.frame);
+    if (this.playing) this.request = requestAnimationFrame(this.tick);
+  };
+}
