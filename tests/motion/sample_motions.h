@@ -1,12 +1,10 @@
 // Small motion files written for the tests, and the real ones that may be absent.
 #pragma once
 
-#include <doctest/doctest.h>
-
 #include <string>
 #include <string_view>
 
-#include "support/json.h"
+#include "support/shared_data.h"
 
 namespace rigless {
 
@@ -96,11 +94,7 @@ inline std::string replaced(std::string_view text, std::string_view from, std::s
   return out;
 }
 
-// A file of the shared data; empty, with a message, where that is absent.
-inline std::string shared_motion(const std::string& name) {
-  const std::string text = json::read_text(std::string(RIGLESS_SHARED_DIR "data/motions/") + name);
-  if (text.empty()) MESSAGE("skipped: ", name, " is absent");
-  return text;
-}
+// A file of the shared data, for tests that are marked needs_shared().
+inline std::string shared_motion(const std::string& name) { return test::shared_text("motions/" + name); }
 
 }  // namespace rigless
