@@ -2,6 +2,7 @@
 // lies in a detail folder may change at any time.
 #pragma once
 
+#include "rigless/deform/control.h"
 #include "rigless/deform/curve_control.h"
 #include "rigless/deform/deformer.h"
 #include "rigless/math/span.h"
@@ -18,6 +19,7 @@
 #include "rigless/retarget/constraints.h"
 #include "rigless/retarget/example.h"
 #include "rigless/retarget/retarget.h"
+#include "rigless/retarget_mesh.h"
 #include "rigless/scene/bake.h"
 #include "rigless/scene/body.h"
 #include "rigless/scene/performance.h"

@@ -7,7 +7,7 @@
 
 #include "rigless/retarget/detail/flight.h"
 #include "rigless/retarget/detail/foot_lock.h"
-#include "rigless/retarget/detail/slip.h"
+#include "rigless/scene/detail/slip.h"
 #include "support/json.h"
 
 using rigless::Vec3;

@@ -2,6 +2,7 @@
 // frame.
 #pragma once
 
+#include "rigless/deform/control.h"
 #include "rigless/deform/detail/build_cells.h"
 #include "rigless/deform/detail/discs.h"
 #include "rigless/deform/detail/hard_rows.h"

@@ -14,9 +14,10 @@ struct ShapeAnalysis {
 
 // Guesses from V vertices in any axes and units and F faces. A guess may be wrong and is meant to be shown. Allocates;
 // about 0.2 s in WASM, whatever V is. Errors: no_faces; index_out_of_range (where: face); not_finite (where: vertex).
-// On failure `out` keeps what it had.
+// On failure `out` keeps what it had. `posture`: how the mesh stands, where that is known.
 template <class S>
-Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out) {
+Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out,
+                     const Posture<S>* posture = nullptr) {
   if (const Status status = check_faces(faces, static_cast<std::int32_t>(vertices.size())); !status.ok()) return status;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!vertices[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
@@ -33,7 +34,7 @@ Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, Shape
     if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
   }
   found.plane = SymmetryFinder<S>(samples).best(tips);
-  found.posture = guess_posture<S>(samples, tips, found.plane);
+  found.posture = posture != nullptr ? *posture : guess_posture<S>(samples, tips, found.plane);
   found.points = BodyReader<S>(graph, average, found.posture, found.plane).read();
   out = std::move(found);
   return {};

@@ -29,6 +29,12 @@ struct ExampleStorage {
   Examples<S> view() const { return {joints, controls}; }
 };
 
+// A frame that is worth an example.
+struct Ask {
+  std::int32_t frame = 0;
+  double gain = 0;  // by how much the error of the whole clip would fall
+};
+
 // The joints that `pairs` (C joint indices below joint_count, or -1) names, without repeats, in order of the controls;
 // all joints when no control is paired. Allocates.
 inline std::vector<std::int32_t> paired_joints(Span<const std::int32_t> pairs, std::int32_t joint_count) {

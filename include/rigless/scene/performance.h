@@ -6,12 +6,26 @@
 
 #include "rigless/math/types.h"
 #include "rigless/motion/contacts.h"
-#include "rigless/retarget/detail/coverage.h"
-#include "rigless/retarget/detail/slip.h"
+#include "rigless/retarget/example.h"
 
 namespace rigless {
 
 inline constexpr double performance_fps = 30;
+inline constexpr double stage_height = 1.7;  // how tall a mesh is shown, metres
+
+// A run in which the user lets a control stand. A control that is named at all stands in its own runs only; an empty
+// run just names it.
+struct ContactEdit {
+  std::int32_t control = 0;
+  FrameRun run = {0, 0};
+};
+
+// How much standing controls slide.
+template <class S>
+struct Slip {
+  S mean = 0;
+  S maximum = 0;
+};
 
 // T frames of C controls at 30 fps.
 template <class S>

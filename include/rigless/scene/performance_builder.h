@@ -2,11 +2,13 @@
 #pragma once
 
 #include "rigless/motion/detail/mirror_joints.h"
+#include "rigless/retarget/detail/coverage.h"
 #include "rigless/retarget/detail/foot_lock.h"
 #include "rigless/retarget/detail/mirror_examples.h"
 #include "rigless/retarget/detail/root_motion.h"
 #include "rigless/retarget/detail/starter_examples.h"
 #include "rigless/retarget/retarget.h"
+#include "rigless/scene/detail/slip.h"
 #include "rigless/scene/detail/standing_controls.h"
 
 namespace rigless {

@@ -2,17 +2,11 @@
 // its surroundings. A single held vertex pulls a needle out of the surface; a disc pulls a body.
 #pragma once
 
+#include "rigless/deform/control.h"
 #include "rigless/deform/detail/cells.h"
 #include "rigless/mesh/detail/geodesic.h"
 
 namespace rigless {
-
-// Where a control sits and how far its disc reaches along the surface; radius 0 holds the vertex alone.
-template <class S>
-struct Control {
-  std::int32_t vertex = -1;
-  S radius = S(0);
-};
 
 // The vertices that controls hold. A vertex belongs to the nearest control; a control's own vertex always to itself, or
 // to the first of those that share it.

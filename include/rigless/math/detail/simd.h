@@ -2,6 +2,10 @@
 // An arithmetic operator acts on all lanes; a comparison gives lanes of all ones or zero.
 #pragma once
 
+#if !defined(__GNUC__) && !defined(__clang__)
+#error "Rigless needs the vector extensions of GCC and Clang: compile it by g++, clang++ (clang-cl on Windows) or em++."
+#endif
+
 #include <cstdint>
 #include <cstring>
 #include <type_traits>

@@ -15,12 +15,6 @@
 
 namespace rigless {
 
-// A frame that is worth an example.
-struct Ask {
-  std::int32_t frame = 0;
-  double gain = 0;  // by how much the error of the whole clip would fall
-};
-
 struct CoverageOptions {
   double enough = 0.15;       // error at which the examples are enough, in pose spreads
   std::int32_t asks = 8;      // frames to ask for at most

@@ -16,13 +16,6 @@ struct StandingControls {
   std::vector<S> ground;              // K, rest height above the lowest vertex
 };
 
-// A run in which the user lets a control stand. A control that is named at all stands in its own runs only; an empty
-// run just names it.
-struct ContactEdit {
-  std::int32_t control = 0;
-  FrameRun run = {0, 0};
-};
-
 // Whether `joint` is the ankle of a limb or hangs on it.
 inline bool belongs_to_foot(const Skeleton& skeleton, const LimbRoles& limb, std::int32_t joint) {
   if (limb.ankle < 0) return false;

@@ -3,20 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 
-#include "rigless/math/span.h"
-#include "rigless/math/status.h"
-#include "rigless/math/types.h"
+#include "rigless/scene/performance.h"
 
 namespace rigless {
-
-template <class S>
-struct Slip {
-  S mean = 0;
-  S maximum = 0;
-};
 
 // Horizontal speed, in units per second, of controls over the pairs of frames in both of which they are labelled;
 // divide by the model's height for heights per second. 0 when nothing stands. tracks: T x C world positions; labels: T
