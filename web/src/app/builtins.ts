@@ -27,7 +27,7 @@ const MOTIONS = "motions/";
 /** Where the build put each asset, by its path under `assets`. */
 const ADDRESSES = new Map(
   Object.entries(
-    import.meta.glob<string>(["../../../assets/**/project.json", "../../../assets/**/*.{glb,bvh,webp}"], {
+    import.meta.glob<string>(["../../assets/**/project.json", "../../assets/**/*.{glb,bvh,webp}"], {
       query: "?url",
       import: "default",
       eager: true,
