@@ -11,7 +11,7 @@ const isWanted = (name) => wanted.length === 0 || wanted.includes(name);
 const characters = list("characters");
 const page = await openPage("pictures.html");
 const draw = async (path, performance) => {
-  const bytes = bytesOf(await page.call("draw", performance));
+  const bytes = bytesOf(await page.call("drawPicture", performance));
   mkdirSync(new URL(".", `file://${WEB}${path}`), { recursive: true });
   writeFileSync(WEB + path, bytes);
   console.log(`${path}: ${(bytes.length / 1000).toFixed(1)} kB`);

@@ -22,11 +22,11 @@ interface Performance {
 declare global {
   interface Window {
     /** A strip of FRAMES squares on a clear ground, as a data URL. */
-    draw: (performance: Performance) => Promise<string>;
+    drawPicture: (performance: Performance) => Promise<string>;
   }
 }
 
-window.draw = async ({ folder, project, motion, who }) => {
+window.drawPicture = async ({ folder, project, motion, who }) => {
   const { model, document, workspace } = await solvedDance(folder, project, motion);
   const strip = drawStrip(who === "model" ? await theModel(model, document, workspace) : theHuman(workspace));
   workspace.close();
