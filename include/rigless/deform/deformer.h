@@ -10,6 +10,7 @@
 #include "rigless/deform/detail/pose_step.h"
 #include "rigless/deform/detail/volume_law.h"
 #include "rigless/math/detail/bytes.h"
+#include "rigless/math/detail/rotation.h"
 
 namespace rigless {
 
