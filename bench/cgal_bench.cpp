@@ -11,6 +11,7 @@
 #include "harness.h"
 #include "meshes.h"
 #include "rigless/deform/deformer.h"
+#include "rigless/thesis/cell_fit.h"
 #include "textbook.h"
 
 namespace {

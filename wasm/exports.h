@@ -3,6 +3,7 @@
 
 #include "handle_table.h"
 #include "rigless/math/span.h"
+#include "rigless/math/status.h"
 
 #define RIGLESS_EXPORT extern "C" __attribute__((used, visibility("default")))
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "rigless/math/status.h"
+#include "rigless/math/detail/macros.h"
 
 namespace rigless {
 

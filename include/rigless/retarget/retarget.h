@@ -12,6 +12,7 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
 #include "rigless/retarget/detail/features.h"
+#include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/spacetime.h"
 #include "rigless/retarget/example.h"
 

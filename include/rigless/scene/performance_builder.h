@@ -3,13 +3,11 @@
 
 #include "rigless/motion/detail/mirror_joints.h"
 #include "rigless/retarget/detail/coverage.h"
-#include "rigless/retarget/detail/foot_lock.h"
 #include "rigless/retarget/detail/mirror_examples.h"
-#include "rigless/retarget/detail/root_motion.h"
+#include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/starter_examples.h"
 #include "rigless/retarget/retarget.h"
-#include "rigless/scene/detail/slip.h"
-#include "rigless/scene/detail/standing_controls.h"
+#include "rigless/scene/detail/ground.h"
 
 namespace rigless {
 
@@ -61,8 +59,8 @@ class PerformanceBuilder {
     const std::size_t taught = examples.joints.size();
     motion_ = &motion;
     controls_ = input.pairs.size();
-    begin_contacts(input);
-    const std::vector<std::uint8_t> stands = labels_of_all(standing_);
+    ground_.begin(motion, input.pairs, input.rest, input.floor, input.height, input.contacts, input.flights);
+    const std::vector<std::uint8_t> stands = ground_.labels();
     const Status started =
         add_starters<S>(motion.local, joints, input.pairs, {input.rest, input.floor, input.height, stands},
                         static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
@@ -80,7 +78,7 @@ class PerformanceBuilder {
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
     settings_ = input.settings;
     constraints_ = input.constraints;
-    travel_scale_ = input.height / std::max(figure_height<S>(motion.local, joints), S(1e-6));
+    ground_.travel_scale = input.height / std::max(figure_height<S>(motion.local, joints), S(1e-6));
     starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / static_cast<std::size_t>(joints));
     coverage_.begin(motion.local, joints, paired, {examples.joints.data(), taught}, joint_mirror, {});
     return {};
@@ -95,11 +93,11 @@ class PerformanceBuilder {
     Performance<S> p;
     if (const Status status = retargeter_.finish(p.controls); !status.ok()) return status;
     p.frames = motion_->clip.frames;
-    p.flights = flights_;
+    p.flights = ground_.flights();
     p.yaw = motion_->yaw;
-    p.contacts = labels_of_all(standing_);
-    p.source_contacts = labels_of_all(source_);
-    if (const Status status = stand(p); !status.ok()) return status;
+    p.contacts = ground_.labels();
+    p.source_contacts = ground_.source_labels();
+    if (const Status status = ground_.stand(constraints_, settings_.ground_contact, p); !status.ok()) return status;
     if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
     measure_constraints(p);
     p.opponents.assign(retargeter_.opponents().begin(), retargeter_.opponents().end());
@@ -135,92 +133,6 @@ class PerformanceBuilder {
     return {};
   }
 
-  // Who stands when, with what the user said about it. In a flight nothing stands but what the user says.
-  void begin_contacts(const PerformanceInput<S>& input) {
-    const std::int32_t frames = motion_->clip.frames;
-    source_ = standing_ = standing_controls(*motion_, input.pairs, input.rest, input.floor, input.height);
-    flights_ = motion_->flights;
-    if (input.flights != nullptr) {
-      flights_ = tidy_flights(*input.flights, frames);
-      const std::size_t feet = standing_.control.size();
-      for (const Flight& flight : flights_) {
-        const auto in_air = [&](std::int32_t f) {
-          return standing_.labels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(f) * feet);
-        };
-        std::fill(in_air(flight.take_off + 1), in_air(flight.landing), std::uint8_t{0});
-      }
-    }
-    edit_standing<S>(input.contacts, input.rest, input.floor, frames, standing_);
-  }
-
-  std::size_t track_index(std::size_t frame, std::size_t foot) const {
-    return frame * controls_ + static_cast<std::size_t>(standing_.control[foot]);
-  }
-
-  std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing) const {
-    const std::size_t feet = standing.control.size();
-    std::vector<std::uint8_t> labels(static_cast<std::size_t>(motion_->clip.frames) * controls_, 0);
-    for (std::size_t i = 0; i < standing.labels.size(); ++i)
-      labels[i / feet * controls_ + static_cast<std::size_t>(standing.control[i % feet])] = standing.labels[i];
-    return labels;
-  }
-
-  // The coordinates of standing controls that constraints hold, as bits: T x K, or empty.
-  std::vector<std::uint8_t> pins() const {
-    const std::size_t feet = standing_.control.size();
-    std::vector<std::uint8_t> pins(constraints_.size() > 0 ? standing_.labels.size() : 0, 0);
-    const auto pin = [&](std::int32_t control, std::int32_t frame, const AxisMask& axes) {
-      for (std::size_t k = 0; k < feet; ++k) {
-        if (standing_.control[k] != control) continue;
-        for (int axis = 0; axis < 3; ++axis)
-          if (axes[static_cast<std::size_t>(axis)])
-            pins[static_cast<std::size_t>(frame) * feet + k] |= static_cast<std::uint8_t>(1 << axis);
-      }
-    };
-    for (const auto& c : constraints_.positions) pin(c.track, c.frame, c.axes);
-    return pins;
-  }
-
-  // The tracks of the standing controls go into the world, get the root motion that keeps them where they stand and are
-  // locked there; what the lock moved goes back into the body-local tracks. The height of the root is left behind: only
-  // the deformed surface knows what touches the ground.
-  Status stand(Performance<S>& p) const {
-    const auto frames = static_cast<std::size_t>(p.frames);
-    const std::size_t feet = standing_.control.size();
-    std::vector<Vec3<S>> world, way;
-    world.reserve(frames * feet);
-    for (std::size_t f = 0; f < frames; ++f) {
-      way.push_back(motion_->clip.at(static_cast<std::int32_t>(f), 0));
-      for (std::size_t k = 0; k < feet; ++k) {
-        world.push_back(from_body<S>(p.controls[track_index(f, k)], Vec3<S>::Zero(), p.yaw[f]));
-      }
-    }
-    RootMotionOptions<S> moving;
-    moving.fps = static_cast<S>(performance_fps);
-    std::vector<Vec3<S>> root;
-    Status status =
-        root_from_contacts<S>(world, standing_.labels, standing_.ground, {way, travel_scale_}, moving, root);
-    if (!status.ok()) return status;
-    for (std::size_t i = 0; i < world.size(); ++i) world[i] += root[i / feet];
-    for (const Vec3<S>& r : root) p.travel.push_back({r.x(), r.z()});
-
-    const auto slip = [&] {
-      return measure_slip<S>(world, standing_.labels, static_cast<std::int32_t>(feet), moving.fps);
-    };
-    p.slip_before = p.slip_after = slip();
-    if (!settings_.ground_contact) return {};
-    FootLockOptions<S> holding;
-    holding.fps = moving.fps;
-    status = lock_feet<S>(world, standing_.labels, pins(), standing_.ground, holding);
-    if (!status.ok()) return status;
-    p.slip_after = slip();
-    for (std::size_t i = 0; i < world.size(); ++i) {
-      const std::size_t f = i / feet;
-      p.controls[track_index(f, i % feet)] = to_body<S>(world[i], root[f], p.yaw[f]);
-    }
-    return {};
-  }
-
   // On the finished tracks, so that what the ground asks for counts too.
   void measure_constraints(Performance<S>& p) const {
     const auto at = [&](std::int32_t control, std::int32_t frame) {
@@ -243,9 +155,7 @@ class PerformanceBuilder {
   const StagedMotion<S>* motion_ = nullptr;
   PerformanceSettings<S> settings_;
   Constraints<S> constraints_;
-  StandingControls<S> source_, standing_;  // as in the motion, and with what the user said
-  std::vector<Flight> flights_;
-  S travel_scale_ = 1;
+  Ground<S> ground_;
   std::int32_t starters_ = 0;
   std::size_t controls_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "rigless/deform/detail/cells.h"
 #include "rigless/math/detail/svd3.h"
+#include "rigless/thesis/cell_fit.h"
 #include "rigless/thesis/laplacian_editor.h"
 
 namespace rigless {

@@ -1,8 +1,6 @@
-// The overlapping cells that cover a surface, one per vertex with its one-ring, and what is fitted to each: the local
-// step.
+// The overlapping cells that cover a surface, one per vertex with its one-ring.
 #pragma once
 
-#include "rigless/math/detail/rotation.h"
 #include "rigless/mesh/detail/laplacian.h"
 
 namespace rigless {
@@ -38,16 +36,6 @@ void measure_cells(Cells<S>& cells) {
   }
 }
 
-// sum_j w_ij e_ij e'_ij^T. Source: thesis Eq 3.3.
-template <class S>
-Mat3<S> covariance(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i) {
-  Mat3<S> C = Mat3<S>::Zero();
-  for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
-    C.noalias() += (w * e) * (surface[i] - surface[j]).transpose();
-  });
-  return C;
-}
-
 // How freely a cell of the scaled shape state changes its size: the energy gains mu |e_i|^2 (s_i - 1)^2. mu = 0 is the
 // thesis, where any similarity is free and stretched bodies inflate; infinity is as-rigid-as-possible.
 template <class S>
@@ -57,37 +45,5 @@ struct ElasticScale {
   // Source: thesis Eq 3.6 with the elastic term; `ratio` is e'.e^r / e^r.e^r.
   S operator()(S ratio) const { return S(1) + (ratio - S(1)) / (S(1) + mu); }
 };
-
-// Rotation and scale of cell i on this surface.
-template <class S>
-struct CellFit {
-  Mat3<S> R;
-  S s;
-};
-
-template <class S>
-CellFit<S> fit_cell(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i, const ElasticScale<S>& elastic) {
-  const Mat3<S> C = covariance(cells, surface, i);
-  CellFit<S> fit{nearest_rotation(C), S(1)};
-  if (cells.weighted_size[i] > S(0)) {
-    fit.s = elastic((fit.R.cwiseProduct(C.transpose())).sum() / cells.weighted_size[i]);  // tr(R C) = e'.e^r
-  }
-  return fit;
-}
-
-// Shape energy of the surface with R and s refitted: every edge counts from both its ends.
-// Source: thesis Eq 3.2, plus the elastic term.
-template <class S>
-S shape_energy(const Cells<S>& cells, Span<const Vec3<S>> surface, const ElasticScale<S>& elastic) {
-  S energy = S(0);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const CellFit<S> fit = fit_cell(cells, surface, i, elastic);
-    for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
-      energy += w * ((surface[i] - surface[j]) - fit.s * (fit.R * e)).squaredNorm();
-    });
-    if (std::isfinite(elastic.mu)) energy += elastic.mu * cells.weighted_size[i] * (fit.s - S(1)) * (fit.s - S(1));
-  }
-  return energy;
-}
 
 }  // namespace rigless

@@ -4,6 +4,7 @@
 
 #include "rigless/deform/control.h"
 #include "rigless/deform/detail/cells.h"
+#include "rigless/math/detail/rotation.h"
 #include "rigless/mesh/detail/geodesic.h"
 
 namespace rigless {

@@ -1,9 +1,9 @@
 // Best rotations of many cells at once, each from where it was a moment ago.
 #pragma once
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/detail/rotation.h"
 #include "rigless/math/detail/simd.h"
-#include "rigless/math/status.h"
 
 namespace rigless {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rigless/math/span.h"
+#include "rigless/math/status.h"
 #include "rigless/math/types.h"
 
 namespace rigless {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rigless/math/detail/dense_solve.h"
-#include "rigless/math/status.h"
+#include "rigless/math/detail/macros.h"
 
 namespace rigless {
 

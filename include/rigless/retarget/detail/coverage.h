@@ -10,6 +10,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/weight_elimination.h"
 #include "rigless/retarget/example.h"
 

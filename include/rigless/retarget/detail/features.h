@@ -9,6 +9,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/example.h"
 
 namespace rigless {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigless/math/status.h"
+#include "rigless/math/detail/macros.h"
 
 namespace rigless {
 

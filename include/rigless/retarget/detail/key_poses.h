@@ -10,7 +10,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
-#include "rigless/retarget/example.h"
+#include "rigless/retarget/detail/pose_spread.h"
 
 namespace rigless {
 

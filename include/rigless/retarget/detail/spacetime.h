@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
+#include "rigless/retarget/detail/constraint_forces.h"
 #include "rigless/retarget/detail/spacetime_track.h"
 #include "rigless/retarget/detail/weight_elimination.h"
 
@@ -117,11 +117,10 @@ class SpacetimeSolver {
 
   // How far each constraint is missed at worst, counted through positions, velocities, heights; and which other one
   // stands most in its way, or -1: constraints that repeat each other do not.
-  Span<const S> residuals() const { return residuals_; }
-  Span<const std::int32_t> opponents() const { return opponents_; }
+  Span<const S> residuals() const { return forces_.residuals(); }
+  Span<const std::int32_t> opponents() const { return forces_.opponents(); }
 
  private:
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
   enum class Stage { frames, rows, tracks, done };
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -156,10 +155,7 @@ class SpacetimeSolver {
     weights_.resize(tracks);
     force_.assign(frames_, Vec3<S>::Zero());
     change_.resize(frames_);
-    const auto size = static_cast<Eigen::Index>(rows_.size());
-    schur_ = Matrix::Zero(size, size);
-    residuals_.assign(constraints, S(0));
-    opponents_.assign(constraints, -1);
+    forces_.bind(rows_.size(), constraints);
     status_ = {};
     track_ = frame_ = row_ = 0;
     stage_ = tracks > 0 ? Stage::frames : Stage::done;
@@ -210,7 +206,6 @@ class SpacetimeSolver {
   // One column of the Schur complement: how a unit force along this row moves all rows.
   void next_row() {
     const ConstraintRow<S>& row = rows_[row_];
-    const auto col = static_cast<Eigen::Index>(row_);
     for (std::size_t k = 0; k < 2; ++k) {
       const std::int32_t track = row.terms[k].track;
       if (k == 1 && track == row.terms[0].track) break;
@@ -220,73 +215,22 @@ class SpacetimeSolver {
       for (std::size_t r = 0; r < rows_.size(); ++r)
         for (const auto& term : rows_[r].terms)
           if (term.track == track)
-            schur_(static_cast<Eigen::Index>(r), col) -=
-                term.factor * change_[static_cast<std::size_t>(term.frame)][term.axis];
+            forces_.response(r, row_) -= term.factor * change_[static_cast<std::size_t>(term.frame)][term.axis];
     }
     if (++row_ < rows_.size()) return;
-    solve_multipliers();
+    forces_.solve(rows_, solution_, options_.compliance);
     stage_ = Stage::tracks;
-  }
-
-  S value(const ConstraintRow<S>& row) const {
-    S sum = 0;
-    for (const auto& term : row.terms)
-      sum += term.factor *
-             solution_[static_cast<std::size_t>(term.track)][static_cast<std::size_t>(term.frame)][term.axis];
-    return sum;
-  }
-
-  void solve_multipliers() {
-    const auto size = static_cast<Eigen::Index>(rows_.size());
-    Eigen::Matrix<S, Eigen::Dynamic, 1> excess(size);
-    for (Eigen::Index r = 0; r < size; ++r) {
-      const ConstraintRow<S>& row = rows_[static_cast<std::size_t>(r)];
-      excess[r] = value(row) - row.target;
-    }
-    const S rounding = S(16) * std::numeric_limits<S>::epsilon() * schur_.diagonal().cwiseAbs().maxCoeff();
-    const S give = std::max({options_.compliance, rounding, std::numeric_limits<S>::min()});
-    Matrix system = (schur_ + schur_.transpose()) / S(2) + give * Matrix::Identity(size, size);
-    std::vector<std::int32_t> exchange(rows_.size());
-    lu_in_place(system, exchange.data());
-    solve_lu(system, exchange.data(), excess);
-    multipliers_ = excess;
-    find_opponents(system, exchange, give);
-  }
-
-  // What is missed, give * multipliers, lies in the null space of the Schur complement. The column of its projector,
-  // give (schur + give I)^-1, that belongs to a missed equation names those that depend on it.
-  void find_opponents(const Matrix& factors, const std::vector<std::int32_t>& exchange, S give) {
-    std::vector<S> worst(opponents_.size(), std::sqrt(std::numeric_limits<S>::epsilon()) * S(10));
-    for (Eigen::Index r = 0; r < multipliers_.size(); ++r) {
-      const std::int32_t own = rows_[static_cast<std::size_t>(r)].constraint;
-      const S missed = give * std::abs(multipliers_[r]);
-      if (missed <= worst[static_cast<std::size_t>(own)]) continue;
-      worst[static_cast<std::size_t>(own)] = missed;
-      Eigen::Matrix<S, Eigen::Dynamic, 1> column = Eigen::Matrix<S, Eigen::Dynamic, 1>::Unit(multipliers_.size(), r);
-      solve_lu(factors, exchange.data(), column);
-      S most = S(1e-3);
-      for (Eigen::Index s = 0; s < column.size(); ++s) {
-        const std::int32_t other = rows_[static_cast<std::size_t>(s)].constraint;
-        if (other == own || give * std::abs(column[s]) <= most) continue;
-        most = give * std::abs(column[s]);
-        opponents_[static_cast<std::size_t>(own)] = other;
-      }
-    }
   }
 
   void next_constrained_track() {
     while (track_ < inputs_.size() && !constrained(track_)) ++track_;
     if (track_ < inputs_.size()) {
       std::fill(force_.begin(), force_.end(), Vec3<S>::Zero());
-      for (std::size_t r = 0; r < rows_.size(); ++r)
-        add_force(track_, rows_[r], multipliers_[static_cast<Eigen::Index>(r)]);
+      for (std::size_t r = 0; r < rows_.size(); ++r) add_force(track_, rows_[r], forces_.multiplier(r));
       solve_track(track_++);
       return;
     }
-    for (const auto& row : rows_) {
-      S& worst = residuals_[static_cast<std::size_t>(row.constraint)];
-      worst = std::max(worst, std::abs(value(row) - row.target));
-    }
+    forces_.measure(rows_, solution_);
     stage_ = Stage::done;
   }
 
@@ -302,13 +246,10 @@ class SpacetimeSolver {
   std::vector<SpacetimeTrack<S>> systems_;  // 0: shared by the tracks without constraints
   std::vector<std::size_t> workspace_;      // C, into systems_
   std::vector<Vec3<S>> force_, change_;     // T
-  Matrix schur_;
-  Eigen::Matrix<S, Eigen::Dynamic, 1> multipliers_;
+  ConstraintForces<S> forces_;
 
   std::vector<std::vector<Vec3<S>>> solution_;  // C x T
   std::vector<std::vector<S>> weights_;         // C x T x N
-  std::vector<S> residuals_;
-  std::vector<std::int32_t> opponents_;
 };
 
 }  // namespace rigless
