@@ -1,4 +1,4 @@
-import { boundsOf } from "../document/stage";
+import { boundsOf, STAGE_HEIGHT } from "../document/stage";
 import type { MeshRef, Point } from "../document/types";
 import type { MeshReport, Motion } from "../engine/types";
 import type { Model } from "../io/model";
@@ -20,7 +20,7 @@ export function modelText(model: Model, mesh: MeshRef, report: MeshReport | null
   if (report && report.volume === null) notes.push("It is open, so it has no volume to keep.");
   return {
     title: `${model.name} is ${metres(height)} tall.`,
-    text: ["Shown at 1.7 m, like the dancer. Export keeps its own size.", ...notes].join(" "),
+    text: [`Shown at ${STAGE_HEIGHT} m, like the dancer. Export keeps its own size.`, ...notes].join(" "),
   };
 }
 

@@ -1,10 +1,11 @@
 // From a model file's own units and axes to the stage (metres, Y up, facing +Z, standing on y = 0 around x = z = 0) and
 // back. The turn is one of the 24 axis-aligned rotations, so bounds stay exact.
 
+import { PERSON_HEIGHT } from "../util/constants";
 import type { Axis, Vec3 } from "./types";
 
-/** How tall a model stands on the stage, metres. */
-export const STAGE_HEIGHT = 1.7;
+/** How tall a model stands on the stage, metres: like the dancer. */
+export const STAGE_HEIGHT = PERSON_HEIGHT;
 /** A model wider than it is tall is scaled by this part of its largest horizontal extent instead. */
 const WIDTH_SHARE = 0.6;
 
