@@ -13,6 +13,7 @@
 #include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/retarget.h"
+#include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless_wasm {
@@ -30,9 +31,12 @@ using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
 
 // Constants that both sides know.
-inline constexpr double fps = rigless::performance_fps;
-inline constexpr double person_height = rigless::person_height;
-inline constexpr double default_smoothness = rigless::default_smoothness;
+inline constexpr double fps = rigless::performance_fps;            // of every performance
+inline constexpr double person_height = rigless::person_height;    // metres, where nothing better is known
+inline constexpr double stage_height = rigless::stage_height;      // how tall a model stands on the stage, metres
+inline constexpr double width_share = rigless::width_share;        // how much of its width counts as height
+inline constexpr double default_radius = rigless::default_radius;  // of a point, in model heights
+inline constexpr double default_smoothness = rigless::default_smoothness;  // weight of acceleration at 30 fps
 
 // Field types: one double each, a vector three.
 struct Number {
@@ -67,8 +71,8 @@ struct BodyReport {
   Number shells;
   Number isolated_vertices;
   Number degenerate_faces;
-  Number floor;   // y of the lowest vertex
-  Number height;  // from there to the highest
+  Number floor;   // height of the lowest vertex above y = 0
+  Number height;  // from there to the highest vertex
 };
 
 struct BakeRoot {
@@ -85,7 +89,7 @@ struct MotionInfo {
   Number metres_per_unit;  // of the file
 };
 
-// rigless::ParseNotes, and what was guessed of the file.
+// What a parser worked around (rigless::ParseNotes), and what was guessed of the file.
 struct MotionNotes {
   Number frames_declared;
   Number frames_read;

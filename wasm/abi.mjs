@@ -35,18 +35,20 @@ function enumerators(name) {
     });
 }
 
-const constant = (name) =>
-  Number(only([...core.matchAll(new RegExp(`inline constexpr \\w+ ${name} = ([0-9.e-]+);`, "g"))], `constant ${name}`)[1]);
+/** A number, or another constant. */
+function constant(name) {
+  const said = only([...core.matchAll(new RegExp(`inline constexpr \\w+ ${name} = ([^;]+);`, "g"))], `constant ${name}`)[1];
+  return Number.isNaN(Number(said)) ? constant(said) : Number(said);
+}
 
 const doubles = (type) => (type === "Vector" ? 3 : 1);
 
 function describe() {
   const text = read("wasm/abi.h");
   const enums = [...text.matchAll(/^using (\w+) = rigless::(\w+);$/gm)].map(([, name, of]) => ({ name, names: enumerators(of) }));
-  const constants = [...text.matchAll(/^inline constexpr double (\w+) = rigless::(\w+);$/gm)].map(([, name, of]) => ({
-    name,
-    value: constant(of),
-  }));
+  const constants = [...text.matchAll(/^inline constexpr double (\w+) = rigless::(\w+);(?: +\/\/ (.*))?$/gm)].map(
+    ([, name, of, comment = ""]) => ({ name, comment, value: constant(of) }),
+  );
   const structs = [...text.matchAll(/((?:^\/\/ .*\n)*)^struct (\w+) \{\n([^}]*)^\};$/gm)]
     .filter(([, , , body]) => !body.includes("value;") && !body.includes("template"))
     .map(([, comment, name, body]) => ({
@@ -127,6 +129,9 @@ function decode(type, at) {
   return type === "Number" ? `n[${at}]` : `${upper(type.slice("NameOf<".length, -1))}_NAMES[n[${at}]]`;
 }
 
+/** A comment of abi.h. */
+const doc = (said, indent = "") => (said ? `${indent}/** ${said[0].toUpperCase()}${said.slice(1).replace(/\.?$/, ".")} */\n` : "");
+
 /** As the formatter wants it: in one line if that is short enough. */
 const fitting = (...texts) => texts.find((text) => text.split("\n").every((line) => line.length <= 140));
 
@@ -148,12 +153,9 @@ function rowText({ name, fields }) {
 
 function structText(struct) {
   const { name, comment, fields } = struct;
-  const members = fields.flatMap(({ name: field, type, comment: said }) => [
-    ...(said ? [`  /** ${said[0].toUpperCase()}${said.slice(1)}. */`] : []),
-    `  ${camel(field)}: ${fieldType(type)};`,
-  ]);
+  const members = fields.flatMap(({ name: field, type, comment: said }) => [`${doc(said, "  ")}  ${camel(field)}: ${fieldType(type)};`]);
   const text = ["export interface " + name + " {", ...members, "}", "", rowText(struct), ""].join("\n");
-  return comment ? `/** ${comment} */\n${text}` : text;
+  return doc(comment) + text;
 }
 
 function functionText({ name, type, parameters }) {
@@ -203,7 +205,7 @@ export interface Row<T> {
 ].join("\n");
 const constants = [
   note("Numbers that the core knows too."),
-  ...description.constants.map(({ name, value }) => `export const ${name.toUpperCase()} = ${value};\n`),
+  ...description.constants.map(({ name, comment, value }) => `${doc(comment)}export const ${name.toUpperCase()} = ${value};\n`),
 ].join("\n");
 
 function write(path, text) {

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # wasm/build.sh OUTPUT: the core as one .wasm file, shape-analysis.wasm beside it, and what TypeScript knows of both
 # (abi.mjs). Surfaces are built for speed, motions for size. What must be inlined or held in vectors says so in its source: to
-# leave the compiler few choices of its own costs no speed (measured) and saves 30 kB. Performances are as fast
-# by -O1 as by -O2, four times as fast as by -Oz, and 2 kB larger than that. Who understands a mesh is not downloaded before there is one, and ten times as fast as by -Oz.
+# leave the compiler few choices of its own costs no speed (measured) and saves 30 kB. Performances are as fast by -O1 as by
+# -O2, four times as fast as by -Oz, and 2 kB larger than that. Who understands a mesh is not downloaded before there is one,
+# and ten times as fast as by -Oz.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 objects=$(mktemp -d)

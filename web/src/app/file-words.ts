@@ -1,7 +1,8 @@
-import { boundsOf, STAGE_HEIGHT } from "../document/stage";
+import { boundsOf } from "../document/stage";
 import type { MeshRef, Point } from "../document/types";
 import type { MeshReport, Motion } from "../engine/types";
 import type { Model } from "../io/model";
+import { STAGE_HEIGHT } from "../util/constants";
 import { count, figure } from "../util/words";
 
 const AXIS = { x: 0, y: 1, z: 2 } as const;

@@ -1,7 +1,7 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1562647281;
+export const ABI = 1591193045;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -60,9 +60,9 @@ export interface BodyReport {
   shells: number;
   isolatedVertices: number;
   degenerateFaces: number;
-  /** Y of the lowest vertex. */
+  /** Height of the lowest vertex above y = 0. */
   floor: number;
-  /** From there to the highest. */
+  /** From there to the highest vertex. */
   height: number;
 }
 
@@ -107,7 +107,7 @@ export const motionInfoRow: Row<MotionInfo> = {
   read: (n) => ({ frames: n[0], joints: n[1], sourceFrames: n[2], sourceFps: n[3], metresPerUnit: n[4] }),
 };
 
-/** rigless::ParseNotes, and what was guessed of the file. */
+/** What a parser worked around (rigless::ParseNotes), and what was guessed of the file. */
 export interface MotionNotes {
   framesDeclared: number;
   framesRead: number;

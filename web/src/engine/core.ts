@@ -63,7 +63,7 @@ export class Core {
   }
 
   drag({ targets, volume, restart }: DragInput): Frame {
-    const begin = now();
+    const begin = performance.now();
     this.#needControls();
     this.#heap.lend([targets], ([at]) => {
       this.#check(this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(restart)), { kind: "controls" });
@@ -72,12 +72,12 @@ export class Core {
       positions: this.#heap.floats(this.#wasm.body_positions(this.#body), 3 * this.#vertices),
       volumeRatio: known(this.#wasm.body_volume_ratio(this.#body)),
       root: [0, 0, 0, 0],
-      milliseconds: now() - begin,
+      milliseconds: performance.now() - begin,
     };
   }
 
   *retarget(input: RetargetInput): Generator<number, Performance> {
-    let begin = now();
+    let begin = performance.now();
     let milliseconds = 0;
     const report = this.#needControls();
     if (!this.#motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
@@ -86,13 +86,13 @@ export class Core {
       const scene = { body: this.#body, report, controls: this.#controls, motion: this.#motion };
       beginRetarget(this.#wasm, this.#heap, handle, scene, input);
       for (let done = 0; done < 1; done = this.#wasm.performance_progress(handle)) {
-        milliseconds += now() - begin;
+        milliseconds += performance.now() - begin;
         yield done;
-        begin = now();
+        begin = performance.now();
         this.#check(this.#wasm.performance_advance(handle), { kind: "retarget" });
       }
       this.#beginBake(handle, input.volume);
-      return describePerformance(this.#wasm, this.#heap, handle, input.constraints ?? [], milliseconds + now() - begin);
+      return describePerformance(this.#wasm, this.#heap, handle, input.constraints ?? [], milliseconds + performance.now() - begin);
     } finally {
       this.#wasm.performance_delete(handle);
     }
@@ -103,28 +103,28 @@ export class Core {
     for (const frame of order) {
       const bake = this.#bake;
       if (!bake) throw new EngineError("bad_examples", "There is no retargeted motion for these controls yet.");
-      const begin = now();
+      const begin = performance.now();
       this.#check(this.#wasm.bake_frame(bake, frame), { kind: "frames" });
       const { position, yaw, volumeRatio } = this.#heap.read(bakeRootRow, this.#wasm.bake_root(bake));
       const positions = this.#heap.floats(this.#wasm.bake_positions(bake), 3 * this.#vertices);
-      emit(frame, { positions, volumeRatio: known(volumeRatio), root: [...position, yaw], milliseconds: now() - begin });
+      emit(frame, { positions, volumeRatio: known(volumeRatio), root: [...position, yaw], milliseconds: performance.now() - begin });
       yield ++made / order.length;
     }
   }
 
-  #beginBake(performance: Handle, volume: number): void {
+  #beginBake(handle: Handle, volume: number): void {
     const wasm = this.#wasm;
-    const { frames, flights } = this.#heap.read(performanceInfoRow, wasm.performance_info(performance));
+    const { frames, flights } = this.#heap.read(performanceInfoRow, wasm.performance_info(handle));
     this.#forgetBake();
     this.#bake = wasm.bake_new();
     wasm.bake_begin(
       this.#bake,
       this.#body,
       frames,
-      wasm.performance_controls(performance),
-      wasm.performance_yaw(performance),
-      wasm.performance_travel(performance),
-      wasm.performance_flights(performance),
+      wasm.performance_controls(handle),
+      wasm.performance_yaw(handle),
+      wasm.performance_travel(handle),
+      wasm.performance_flights(handle),
       flights,
       volume,
     );
@@ -145,8 +145,6 @@ export class Core {
     if (packed !== 0) throw engineError(packed, subject);
   }
 }
-
-const now = () => performance.now();
 
 /** NaN is how the core says that there is none. */
 const known = (value: number) => (Number.isNaN(value) ? null : value);
