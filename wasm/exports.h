@@ -1,7 +1,7 @@
 // What every exported function needs. Pointers that an export returns hold until the object changes or the heap grows.
 #pragma once
 
-#include "handle_table.h"
+#include "abi.h"
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 
@@ -9,8 +9,7 @@
 
 namespace rigless_wasm {
 
-// error * 2^32 + where: exact in a double, and 0 when all is well.
-inline double pack(rigless::Status status) {
+inline PackedStatus pack(rigless::Status status) {
   if (status.ok()) return 0;
   return static_cast<double>(status.error) * 4294967296.0 +
          static_cast<double>(static_cast<std::uint32_t>(status.where));

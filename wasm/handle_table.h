@@ -1,16 +1,14 @@
 // Objects behind integers: what a caller without pointers holds.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "abi.h"
+
 namespace rigless_wasm {
 
-// Index in the low half, generation in the high half; never 0. A handle of a removed object traps instead of reaching
-// whatever took its place.
-using ObjectHandle = std::uint32_t;
-
+// A handle of a removed object traps instead of reaching whatever took its place.
 template <class T>
 class HandleTable {
  public:

@@ -7,10 +7,14 @@
 
 using rigless::Span;
 using rigless::Status;
+using rigless_wasm::answer;
 using rigless_wasm::Motion;
+using rigless_wasm::MotionInfo;
+using rigless_wasm::MotionNotes;
 using rigless_wasm::motions;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
+using rigless_wasm::PackedStatus;
 
 namespace {
 
@@ -42,7 +46,7 @@ RIGLESS_EXPORT ObjectHandle motion_new() { return motions.add(); }
 RIGLESS_EXPORT void motion_delete(ObjectHandle motion) { motions.remove(motion); }
 
 // UTF-8 text.
-RIGLESS_EXPORT double motion_read_bvh(ObjectHandle motion, const char* text, std::int32_t bytes) {
+RIGLESS_EXPORT PackedStatus motion_read_bvh(ObjectHandle motion, const char* text, std::int32_t bytes) {
   rigless::Clip<double> clip;
   Motion& m = motions[motion];
   if (const Status status = rigless::parse_bvh(text_view(text, bytes), clip, &m.notes); !status.ok())
@@ -50,41 +54,43 @@ RIGLESS_EXPORT double motion_read_bvh(ObjectHandle motion, const char* text, std
   return pack(stage(clip, m));
 }
 
-RIGLESS_EXPORT double motion_read_asf(ObjectHandle motion, const char* text, std::int32_t bytes) {
+RIGLESS_EXPORT PackedStatus motion_read_asf(ObjectHandle motion, const char* text, std::int32_t bytes) {
   return pack(rigless::parse_asf(text_view(text, bytes), motions[motion].skeleton));
 }
 
 // On the skeleton of motion_read_asf().
-RIGLESS_EXPORT double motion_read_amc(ObjectHandle motion, const char* text, std::int32_t bytes) {
+RIGLESS_EXPORT PackedStatus motion_read_amc(ObjectHandle motion, const char* text, std::int32_t bytes) {
   Motion& m = motions[motion];
   rigless::Clip<double> clip;
   const Status status = rigless::parse_amc(text_view(text, bytes), m.skeleton, clip, &m.notes);
   return pack(status.ok() ? stage(clip, m) : status);
 }
 
-// out: T, J, frames and rate of the file, metres per unit of the file.
-RIGLESS_EXPORT void motion_info(ObjectHandle motion, double* out) {
+RIGLESS_EXPORT const MotionInfo* motion_info(ObjectHandle motion) {
   const rigless::StagedMotion<double>& m = motions[motion].staged;
-  out[0] = m.clip.frames;
-  out[1] = m.clip.joints();
-  out[2] = m.source_frames;
-  out[3] = m.source_fps;
-  out[4] = m.clip.metres_per_unit;
+  return answer<MotionInfo>({
+      .frames = m.clip.frames,
+      .joints = m.clip.joints(),
+      .source_frames = m.source_frames,
+      .source_fps = m.source_fps,
+      .metres_per_unit = m.clip.metres_per_unit,
+  });
 }
 
-// out: the numbers of ParseNotes, in its order, then whether Z is up in the file, and its LengthUnit.
-RIGLESS_EXPORT void motion_notes(ObjectHandle motion, double* out) {
+RIGLESS_EXPORT const MotionNotes* motion_notes(ObjectHandle motion) {
   const rigless::ParseNotes& n = motions[motion].notes;
-  out[0] = n.frames_declared;
-  out[1] = n.frames_read;
-  out[2] = n.frame_cut;
-  out[3] = n.text_after_end;
-  out[4] = n.frame_time_assumed;
-  out[5] = n.roots;
-  out[6] = n.renamed;
-  out[7] = n.lengths_ignored;
-  out[8] = motions[motion].file.up == rigless::UpAxis::z;
-  out[9] = static_cast<double>(motions[motion].file.unit.unit);
+  return answer<MotionNotes>({
+      .frames_declared = n.frames_declared,
+      .frames_read = n.frames_read,
+      .frame_cut = n.frame_cut,
+      .text_after_end = n.text_after_end,
+      .frame_time_assumed = n.frame_time_assumed,
+      .roots = n.roots,
+      .renamed = n.renamed,
+      .lengths_ignored = n.lengths_ignored,
+      .up = motions[motion].file.up,
+      .unit = motions[motion].file.unit.unit,
+  });
 }
 
 RIGLESS_EXPORT const char* motion_name(ObjectHandle motion, std::int32_t joint) {

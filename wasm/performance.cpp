@@ -9,10 +9,15 @@
 
 using rigless::Span;
 using rigless::Status;
+using rigless_wasm::answer;
+using rigless_wasm::Ask;
 using rigless_wasm::HandleTable;
+using rigless_wasm::Miss;
 using rigless_wasm::motions;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
+using rigless_wasm::PackedStatus;
+using rigless_wasm::PerformanceInfo;
 using rigless_wasm::view;
 
 namespace {
@@ -84,11 +89,11 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
 
 // pairs: C; rest: C x 3, the controls at rest; floor, height: of the mesh at rest; example_joints: N x J x 3 body-local
 // metres, NaN where unknown; example_controls: N x C x 3. The motion must stay until performance_progress() is 1.
-RIGLESS_EXPORT double performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
-                                        const float* rest, std::int32_t controls, double floor, double height,
-                                        const float* example_joints, const float* example_controls,
-                                        std::int32_t examples, double smoothness, std::int32_t ground_contact,
-                                        std::int32_t in_place) {
+RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
+                                              const float* rest, std::int32_t controls, double floor, double height,
+                                              const float* example_joints, const float* example_controls,
+                                              std::int32_t examples, double smoothness, std::int32_t ground_contact,
+                                              std::int32_t in_place) {
   const rigless::StagedMotion<double>& staged = motions[motion].staged;
   const std::vector<Vec3d> rest_controls = widen(rest, controls);
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
@@ -112,7 +117,7 @@ RIGLESS_EXPORT double performance_begin(ObjectHandle performance, ObjectHandle m
 }
 
 // One slice. Call until performance_progress() is 1.
-RIGLESS_EXPORT double performance_advance(ObjectHandle performance) {
+RIGLESS_EXPORT PackedStatus performance_advance(ObjectHandle performance) {
   Play& play = plays[performance];
   if (play.builder.advance(slice_frames)) return 0;
   rigless::Performance<double> made;
@@ -127,24 +132,36 @@ RIGLESS_EXPORT double performance_progress(ObjectHandle performance) {
   return play.made ? 1.0 : std::min(play.builder.progress(), 0.99);
 }
 
-// out: T, C, number of flights, slip before and after the foot lock (metres per second), number of constraints and of
-// asks, examples that there are and that would be enough, starters.
-RIGLESS_EXPORT void performance_info(ObjectHandle performance, double* out) {
+RIGLESS_EXPORT const PerformanceInfo* performance_info(ObjectHandle performance) {
   const rigless::Performance<float>& p = plays[performance].performance;
-  out[0] = p.frames;
-  out[1] = static_cast<double>(p.control_count());
-  out[2] = static_cast<double>(p.flights.size());
-  out[3] = static_cast<double>(p.slip_before.mean);
-  out[4] = static_cast<double>(p.slip_after.mean);
-  out[5] = static_cast<double>(p.missed.size());
-  out[6] = static_cast<double>(p.asks.size());
-  out[7] = p.have;
-  out[8] = p.want;
-  out[9] = p.starters;
+  return answer<PerformanceInfo>({
+      .frames = p.frames,
+      .controls = p.control_count(),
+      .flights = p.flights.size(),
+      .constraints = p.missed.size(),
+      .asks = p.asks.size(),
+      .slip_before = p.slip_before.mean,
+      .slip_after = p.slip_after.mean,
+      .have = p.have,
+      .want = p.want,
+      .starters = p.starters,
+  });
 }
 
-// T x C x 3; T x C; pairs of frames; T; T x 2; T x C; constraints (places, then those that are still), twice; T; pairs
-// of frame and gain
+// The constraints count through the places, then those that are still.
+RIGLESS_EXPORT const Miss* performance_miss(ObjectHandle performance, std::int32_t constraint) {
+  const rigless::Performance<float>& p = plays[performance].performance;
+  const auto k = static_cast<std::size_t>(constraint);
+  return answer<Miss>({.metres = p.missed[k], .opponent = p.opponents[k]});
+}
+
+// Best first.
+RIGLESS_EXPORT const Ask* performance_ask(ObjectHandle performance, std::int32_t index) {
+  const rigless::Ask& ask = plays[performance].performance.asks[static_cast<std::size_t>(index)];
+  return answer<Ask>({.frame = ask.frame, .gain = ask.gain});
+}
+
+// T x C x 3; T x C; pairs of frames; T; T x 2; T x C; T
 RIGLESS_EXPORT const float* performance_controls(ObjectHandle performance) {
   return plays[performance].performance.controls.data()->data();
 }
@@ -163,18 +180,6 @@ RIGLESS_EXPORT const float* performance_travel(ObjectHandle performance) {
 RIGLESS_EXPORT const std::uint8_t* performance_source_contacts(ObjectHandle performance) {
   return plays[performance].performance.source_contacts.data();
 }
-RIGLESS_EXPORT const float* performance_missed(ObjectHandle performance) {
-  return plays[performance].performance.missed.data();
-}
-RIGLESS_EXPORT const std::int32_t* performance_opponents(ObjectHandle performance) {
-  return plays[performance].performance.opponents.data();
-}
 RIGLESS_EXPORT const float* performance_coverage(ObjectHandle performance) {
   return plays[performance].performance.coverage.data();
-}
-RIGLESS_EXPORT void performance_asks(ObjectHandle performance, double* out) {
-  for (const rigless::Ask& ask : plays[performance].performance.asks) {
-    *out++ = ask.frame;
-    *out++ = ask.gain;
-  }
 }

@@ -1,15 +1,18 @@
 // Surfaces as flat C functions over integer handles: binding, dragging, baking. No logic of its own: it turns memory
 // into spans and a Status into one number. Float32 inside and out. Built for speed.
 
-#include <cstdlib>
-
 #include "exports.h"
+#include "handle_table.h"
 #include "rigless/scene/bake.h"
 #include "rigless/scene/body.h"
 
+using rigless_wasm::answer;
+using rigless_wasm::BakeRoot;
+using rigless_wasm::BodyReport;
 using rigless_wasm::HandleTable;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
+using rigless_wasm::PackedStatus;
 using rigless_wasm::view;
 
 namespace {
@@ -28,46 +31,42 @@ HandleTable<BodyBake> bakes;
 
 }  // namespace
 
-RIGLESS_EXPORT void* alloc(std::int32_t bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
-
-RIGLESS_EXPORT void release(void* memory) { std::free(memory); }
-
 RIGLESS_EXPORT ObjectHandle body_new() { return bodies.add(); }
 
 RIGLESS_EXPORT void body_delete(ObjectHandle body) { bodies.remove(body); }
 
 // positions: V x 3; faces: F x 3. Forgets controls. On failure the body keeps what it had.
-RIGLESS_EXPORT double body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
-                                    const std::int32_t* faces, std::int32_t face_count) {
+RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
+                                          const std::int32_t* faces, std::int32_t face_count) {
   return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count)));
 }
 
-// out: volume (NaN when open), boundary edges, non-manifold edges, shells, isolated vertices, degenerate faces, y of
-// the lowest vertex, height.
-RIGLESS_EXPORT void body_report(ObjectHandle body, double* out) {
+RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
   const rigless::MeshTopology& t = bodies[body].topology();
-  out[0] = static_cast<double>(bodies[body].volume());
-  out[1] = t.boundary_edges;
-  out[2] = t.non_manifold_edges;
-  out[3] = t.shells;
-  out[4] = t.isolated_vertices;
-  out[5] = t.degenerate_faces;
   const rigless::Bounds<float> box = rigless::bounds(bodies[body].rest());
-  out[6] = box.low.y();
-  out[7] = box.height();
+  return answer<BodyReport>({
+      .volume = bodies[body].volume(),
+      .boundary_edges = t.boundary_edges,
+      .non_manifold_edges = t.non_manifold_edges,
+      .shells = t.shells,
+      .isolated_vertices = t.isolated_vertices,
+      .degenerate_faces = t.degenerate_faces,
+      .floor = box.low.y(),
+      .height = box.height(),
+  });
 }
 
 // C vertices and geodesic radii. On failure the old controls stay.
-RIGLESS_EXPORT double body_set_controls(ObjectHandle body, const std::int32_t* vertices, const float* radii,
-                                        std::int32_t count) {
+RIGLESS_EXPORT PackedStatus body_set_controls(ObjectHandle body, const std::int32_t* vertices, const float* radii,
+                                              std::int32_t count) {
   std::vector<rigless::Control<float>> controls;
   for (std::int32_t c = 0; c < count; ++c) controls.push_back({vertices[c], radii[c]});
   return pack(bodies[body].set_controls(controls));
 }
 
 // targets: C x 3, body-local. The result is body_positions().
-RIGLESS_EXPORT double body_drag(ObjectHandle body, const float* targets, std::int32_t count, float volume,
-                                std::int32_t restart) {
+RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, std::int32_t count, float volume,
+                                      std::int32_t restart) {
   return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0));
 }
 
@@ -105,14 +104,17 @@ RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_
 }
 
 // Makes a frame: bake_positions(), V x 3 in the world, and bake_root().
-RIGLESS_EXPORT double bake_frame(ObjectHandle bake, std::int32_t frame) { return pack(bakes[bake].bake.frame(frame)); }
+RIGLESS_EXPORT PackedStatus bake_frame(ObjectHandle bake, std::int32_t frame) {
+  return pack(bakes[bake].bake.frame(frame));
+}
 
 RIGLESS_EXPORT const float* bake_positions(ObjectHandle bake) { return bakes[bake].bake.positions().data()->data(); }
 
-// out: x, y, z and yaw of the body's origin, volume ratio (NaN when open).
-RIGLESS_EXPORT void bake_root(ObjectHandle bake, double* out) {
+RIGLESS_EXPORT const BakeRoot* bake_root(ObjectHandle bake) {
   const BodyBake& b = bakes[bake];
-  for (int k = 0; k < 3; ++k) out[k] = static_cast<double>(b.bake.root().position[k]);
-  out[3] = static_cast<double>(b.bake.root().yaw);
-  out[4] = static_cast<double>(b.body->volume_ratio(b.bake.positions()));
+  return answer<BakeRoot>({
+      .position = b.bake.root().position,
+      .yaw = b.bake.root().yaw,
+      .volume_ratio = b.body->volume_ratio(b.bake.positions()),
+  });
 }

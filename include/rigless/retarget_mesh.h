@@ -36,7 +36,7 @@ struct MeshPoint {
   std::int32_t vertex = -1;            // -1: the vertex nearest to `position` that no point before has
   Vec3<S> position = Vec3<S>::Zero();  // the mesh's own units and axes; not read where a vertex is given
   std::string joint;                   // name, or part of the body ("left foot"); empty: follows the whole pose
-  S radius = S(0.05);                  // of what moves as one piece with it, along the surface, in mesh heights
+  S radius = S(default_radius);        // of what moves as one piece with it, along the surface, in mesh heights
 };
 
 // "When the human does this, my mesh does that."

@@ -253,10 +253,10 @@ TEST_CASE("retarget: bad data is named, and the last run survives") {
   bad = good;
   bad.constraints.positions.push_back({1, 3, Vec3<double>::Zero(), {true, true, true}});
   bad.constraints.velocities.push_back({1, 0, Vec3<double>::Zero(), {true, true, true}});
-  refused(bad, rigless::Error::index_out_of_range, 1);
+  refused(bad, rigless::Error::bad_constraint, 1);
   bad.constraints = {};
   bad.constraints.positions.push_back({9, 3, Vec3<double>::Zero(), {true, true, true}});
-  refused(bad, rigless::Error::index_out_of_range, 0);
+  refused(bad, rigless::Error::bad_constraint, 0);
 
   while (run.advance(3)) {
   }

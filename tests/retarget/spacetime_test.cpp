@@ -109,9 +109,9 @@ TEST_CASE("spacetime: what cannot be solved is named") {
   CHECK(solver.begin(tracks, 40, {}, {}).error == rigless::Error::not_finite);
   rigless::Constraints<double> constraints;
   constraints.heights.push_back({0, 2, 5, 0});
-  CHECK(solver.begin(problem.tracks, 40, constraints, {}).error == rigless::Error::index_out_of_range);
+  CHECK(solver.begin(problem.tracks, 40, constraints, {}).error == rigless::Error::bad_constraint);
   constraints.heights[0] = {0, 1, 5, std::numeric_limits<double>::infinity()};
-  CHECK(solver.begin(problem.tracks, 40, constraints, {}).error == rigless::Error::not_finite);
+  CHECK(solver.begin(problem.tracks, 40, constraints, {}).error == rigless::Error::bad_constraint);
 }
 
 TEST_CASE("spacetime: the weights of every frame sum to 1") {

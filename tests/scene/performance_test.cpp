@@ -373,7 +373,7 @@ TEST_CASE("what cannot be built leaves the old performance") {
   CHECK(build_performance(input, performance).where == 4);
   input = stick.input();
   input.constraints.velocities.push_back({0, 0, Vec3d::Zero(), {true, true, true}});
-  CHECK(build_performance(input, performance).error == Error::index_out_of_range);
+  CHECK(build_performance(input, performance).error == Error::bad_constraint);
   stick.pairs.clear();
   CHECK(build_performance(stick.input(), performance).error == Error::no_controls);
   CHECK(performance.controls == before);

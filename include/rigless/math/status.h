@@ -27,6 +27,7 @@ enum class Error : std::int32_t {
   factorization_failed,  // the matrix is singular or indefinite; where: row if known
   size_mismatch,         // two arrays that belong together differ in length
   no_examples,           // nothing to learn from
+  bad_constraint,        // a track or frame that does not exist, a velocity at frame 0, not finite; where: constraint
   infeasible,            // hard constraints contradict each other; where: constraint
   out_of_memory
 };

@@ -18,15 +18,17 @@
 
 namespace rigless {
 
+inline constexpr double default_smoothness = 0.3;
+
 template <class S>
 struct RetargetOptions {
-  S fps = 30;                 // of the clip
-  S smoothness = S(0.3);      // lambda_A at 30 fps; at other rates times (fps / 30)^2
-  S pose_weight = S(0.5);     // a: how much the whole pose counts beside the control's joint
-  WeightOptions<S> weights;   // all examples, the near ones first; weights sum to 1
-  S offset_weight = S(0.05);  // offset track of constrained controls; 0: none
-  S offset_acceleration = 3;  // at 30 fps
-  S compliance = S(1e-9);     // of hard constraints
+  S fps = 30;                            // of the clip
+  S smoothness = S(default_smoothness);  // lambda_A at 30 fps; at other rates times (fps / 30)^2
+  S pose_weight = S(0.5);                // a: how much the whole pose counts beside the control's joint
+  WeightOptions<S> weights;              // all examples, the near ones first; weights sum to 1
+  S offset_weight = S(0.05);             // offset track of constrained controls; 0: none
+  S offset_acceleration = 3;             // at 30 fps
+  S compliance = S(1e-9);                // of hard constraints
 
   // The paper's own formulation: each control from its joint alone, the 4 nearest examples, a soft affine row, exact
   // constraints without an offset track.
@@ -66,7 +68,7 @@ class Retargeter {
   Retargeter& operator=(Retargeter&&) = default;
 
   // Copies what it needs. Allocates. Errors: no_frames; no_controls; no_examples (none knows a control; where:
-  // control); size_mismatch; index_out_of_range (a pair or constraint; where: control or constraint); not_finite (a
+  // control); size_mismatch; index_out_of_range (a pair; where: control); bad_constraint; not_finite (a
   // joint of the clip, where: frame; an infinite control of an example, where: example). On failure the previous run is
   // kept.
   Status begin(const RetargetInput<S>& input, const RetargetOptions<S>& options) {

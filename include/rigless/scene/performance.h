@@ -6,12 +6,14 @@
 
 #include "rigless/math/types.h"
 #include "rigless/motion/contacts.h"
+#include "rigless/motion/detail/units.h"
 #include "rigless/retarget/example.h"
 
 namespace rigless {
 
 inline constexpr double performance_fps = 30;
-inline constexpr double stage_height = 1.7;  // how tall a mesh is shown, metres
+inline constexpr double stage_height = person_height;  // how tall a mesh is shown, metres
+inline constexpr double default_radius = 0.05;         // of a point of a mesh, in mesh heights
 
 // A run in which the user lets a control stand. A control that is named at all stands in its own runs only; an empty
 // run just names it.

@@ -13,9 +13,9 @@ namespace rigless {
 
 template <class S>
 struct PerformanceSettings {
-  S smoothness = S(0.3);       // lambda_A at 30 fps
-  bool ground_contact = true;  // feet that stand do not slide
-  bool in_place = false;       // the body does not travel
+  S smoothness = S(default_smoothness);  // lambda_A at 30 fps
+  bool ground_contact = true;            // feet that stand do not slide
+  bool in_place = false;                 // the body does not travel
 };
 
 // What a performance is built from. J joints, C controls, N examples.
@@ -40,7 +40,7 @@ template <class S>
 class PerformanceBuilder {
  public:
   // Copies what it needs but the motion, which must live until finish(). Allocates. Errors: no_frames, no_controls,
-  // size_mismatch, index_out_of_range (where: control or constraint), not_finite (where: example or constraint); then
+  // size_mismatch, index_out_of_range (where: control), not_finite (where: example), bad_constraint; then
   // this must begin again before it goes on.
   Status begin(const PerformanceInput<S>& input) {
     const StagedMotion<S>& motion = *input.motion;

@@ -1,6 +1,6 @@
 // One character's dance to one motion: eight moments, and how good it is in figures.
 
-import { STAGE_HEIGHT } from "../../src/document/stage";
+import { STAGE_HEIGHT } from "../../src/util/constants";
 import type { Workspace } from "../../src/sync/workspace";
 import { solvedDance } from "./dance";
 import { drawMoments, onTheSpot, theModel } from "./moments";

@@ -2,6 +2,7 @@ import { boundsOf } from "../document/stage";
 import type { MeshRef, Point } from "../document/types";
 import type { MeshReport, Motion } from "../engine/types";
 import type { Model } from "../io/model";
+import { STAGE_HEIGHT } from "../util/constants";
 import { count, figure } from "../util/words";
 
 const AXIS = { x: 0, y: 1, z: 2 } as const;
@@ -20,7 +21,7 @@ export function modelText(model: Model, mesh: MeshRef, report: MeshReport | null
   if (report && report.volume === null) notes.push("It is open, so it has no volume to keep.");
   return {
     title: `${model.name} is ${metres(height)} tall.`,
-    text: ["Shown at 1.7 m, like the dancer. Export keeps its own size.", ...notes].join(" "),
+    text: [`Shown at ${STAGE_HEIGHT} m, like the dancer. Export keeps its own size.`, ...notes].join(" "),
   };
 }
 

@@ -1,11 +1,18 @@
 // Everything that can be done to a document. Each command is a small pure function; an unknown id or a value that is
 // already there gives the same document back.
 
+import { DEFAULT_SMOOTHNESS } from "../util/constants";
 import { forgetPoint } from "./clips";
 import type { Command } from "./store";
 import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings } from "./types";
 
-export const DEFAULT_SETTINGS: Settings = { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true };
+export const DEFAULT_SETTINGS: Settings = {
+  volume: 1,
+  smoothness: DEFAULT_SMOOTHNESS,
+  groundContact: true,
+  inPlace: false,
+  symmetry: true,
+};
 
 /** A project that has a model and a motion and says nothing else yet. */
 export function newDocument(name: string, mesh: MeshRef, motion: MotionRef): ProjectDocument {

@@ -1,12 +1,8 @@
 // From a model file's own units and axes to the stage (metres, Y up, facing +Z, standing on y = 0 around x = z = 0) and
 // back. The turn is one of the 24 axis-aligned rotations, so bounds stay exact.
 
+import { STAGE_HEIGHT, WIDTH_SHARE } from "../util/constants";
 import type { Axis, Vec3 } from "./types";
-
-/** How tall a model stands on the stage, metres. */
-export const STAGE_HEIGHT = 1.7;
-/** A model wider than it is tall is scaled by this part of its largest horizontal extent instead. */
-const WIDTH_SHARE = 0.6;
 
 export interface Bounds {
   readonly min: Vec3;
@@ -44,7 +40,7 @@ export function facingFor(facing: Axis, up: Axis): Axis {
   return up[1] === "z" ? "-y" : "+z";
 }
 
-/** The transform that puts a model of these bounds on the stage. */
+/** The transform that puts a model of these bounds on the stage, STAGE_HEIGHT tall; a wide one is measured by its width. */
 export function stageOf(bounds: Bounds, facing: Axis, up: Axis): Stage {
   const y = unit(up);
   const z = unit(facingFor(facing, up));

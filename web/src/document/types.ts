@@ -48,7 +48,7 @@ export interface Example {
 export interface Settings {
   /** lambda_v: 0 flat, 1 natural, 3 juicy. */
   readonly volume: number;
-  /** lambda_A at 30 fps: 0 snappy, 1 floaty; default 0.3. */
+  /** lambda_A at 30 fps: 0 snappy, 1 floaty; default DEFAULT_SMOOTHNESS. */
   readonly smoothness: number;
   /** Feet do not slide. */
   readonly groundContact: boolean;

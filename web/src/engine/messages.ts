@@ -1,46 +1,24 @@
 // Turns what the core says in numbers (math/status.h) into sentences for the person who chose the file:
 // what happened, where, and what to do.
 
+import { FPS, PERSON_HEIGHT } from "../util/constants";
+import { CORE_ERROR_NAMES } from "./abi";
+import type { CoreError, LengthUnit, MotionNotes, PackedStatus } from "./abi";
 import { EngineError } from "./types";
 import type { EngineErrorCode } from "./types";
-import type { PackedStatus } from "./wasm";
-
-/** In the order of rigless::Error. */
-export const CORE_ERRORS = [
-  "none",
-  "empty_input",
-  "not_this_format",
-  "unexpected_end",
-  "bad_number",
-  "bad_syntax",
-  "unknown_joint",
-  "duplicate_joint",
-  "unsupported",
-  "no_frames",
-  "no_faces",
-  "index_out_of_range",
-  "not_finite",
-  "no_controls",
-  "factorization_failed",
-  "size_mismatch",
-  "no_examples",
-  "infeasible",
-  "out_of_memory",
-] as const;
-
-export type CoreError = (typeof CORE_ERRORS)[number];
 
 /** What the engine was asked to take in when the core refused. */
 export type Subject =
   | { kind: "bvh" | "asf" | "amc"; name: string }
   | { kind: "mesh" }
   | { kind: "controls" }
-  | { kind: "retarget" }
+  /** The index of each constraint by the core's count. */
+  | { kind: "retarget"; constraints?: number[] }
   | { kind: "frames" };
 
-export function unpackStatus(packed: PackedStatus): { error: CoreError; where: number } {
+function unpackStatus(packed: PackedStatus): { error: CoreError; where: number } {
   const error = Math.floor(packed / 2 ** 32);
-  return { error: CORE_ERRORS[error] ?? "factorization_failed", where: (packed - error * 2 ** 32) | 0 };
+  return { error: CORE_ERROR_NAMES[error], where: (packed - error * 2 ** 32) | 0 };
 }
 
 export function engineError(packed: PackedStatus, subject: Subject): EngineError {
@@ -52,7 +30,7 @@ export function engineError(packed: PackedStatus, subject: Subject): EngineError
     case "controls":
       return new EngineError("bad_controls", controlsMessage(error, where));
     case "retarget":
-      return retargetError(error, where);
+      return retargetError(error, error === "bad_constraint" ? (subject.constraints?.[where] ?? where) : where);
     case "frames":
       return new EngineError("bad_examples", `Frame ${count(where + 1)} is not in this motion.`);
     default:
@@ -104,23 +82,31 @@ function motionMessage(error: CoreError, where: number, kind: "bvh" | "asf" | "a
   }
 }
 
-const UNITS = ["metres", "centimetres", "millimetres", "inches", "CMU units of 0.45 inch", "feet"];
+const UNITS: Record<LengthUnit, string> = {
+  metre: "",
+  centimetre: "centimetres",
+  millimetre: "millimetres",
+  inch: "inches",
+  cmu: "CMU units of 0.45 inch",
+  foot: "feet",
+  none: "",
+};
 
-/** What a reader worked around or guessed: the numbers of rigless::ParseNotes and rigless::FileGuess. */
-export function motionNotes(name: string, numbers: number[]): string[] {
-  const [declared = 0, read = 0, cut = 0, trailing = 0, rateAssumed = 0, roots = 1, renamed = 0, lengths = 0, zUp = 0, unit = 0] = numbers;
+/** What a reader worked around or guessed. */
+export function motionNotes(name: string, found: MotionNotes): string[] {
+  const { framesDeclared: declared, framesRead: read, roots, renamed, lengthsIgnored: lengths, unit } = found;
   const notes: string[] = [];
   if (declared > read) notes.push(`${name} announces ${count(declared)} frames and holds ${count(read)}: these are used.`);
-  else if (cut) notes.push(`The last frame of ${name} is incomplete and left out: ${count(read)} frames are used.`);
-  if (trailing) notes.push(`${name} goes on after its ${count(read)} announced frames; the rest is not used.`);
-  if (rateAssumed) notes.push(`${name} does not say how fast it plays: 30 frames per second are assumed.`);
+  else if (found.frameCut) notes.push(`The last frame of ${name} is incomplete and left out: ${count(read)} frames are used.`);
+  if (found.textAfterEnd) notes.push(`${name} goes on after its ${count(read)} announced frames; the rest is not used.`);
+  if (found.frameTimeAssumed) notes.push(`${name} does not say how fast it plays: ${FPS} frames per second are assumed.`);
   if (roots > 1) notes.push(`${name} holds ${count(roots)} figures; the first is used.`);
   if (renamed > 0) notes.push(`${count(renamed)} ${renamed === 1 ? "joint has" : "joints have"} no name of its own and got a number.`);
   if (lengths > 0)
     notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
-  if (zUp) notes.push(`In ${name} the Z axis points up; it was turned upright.`);
-  if (unit >= UNITS.length) notes.push(`${name} is in no common unit; the person in it was made 1.7 m tall.`);
-  else if (unit > 0) notes.push(`${name} seems to be in ${UNITS[unit]}.`);
+  if (found.up === "z") notes.push(`In ${name} the Z axis points up; it was turned upright.`);
+  if (unit === "none") notes.push(`${name} is in no common unit; the person in it was made ${PERSON_HEIGHT} m tall.`);
+  else if (UNITS[unit] !== "") notes.push(`${name} seems to be in ${UNITS[unit]}.`);
   return notes;
 }
 
@@ -172,6 +158,8 @@ function retargetError(error: CoreError, where: number): EngineError {
       return make("bad_examples", "There is no pose to learn from. Add one.");
     case "not_finite":
       return make("bad_examples", `Pose ${count(where + 1)} has no usable positions (not a number). Make it again.`);
+    case "bad_constraint":
+      return make("bad_examples", `Pin ${count(where + 1)} is for a point, a frame or a place that does not exist. Remove it.`);
     case "infeasible":
       return make("bad_examples", "The poses contradict each other. Change or remove one of them.");
     case "size_mismatch":

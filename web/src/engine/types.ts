@@ -2,7 +2,9 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-export const FPS = 30;
+import type { BodyRole } from "./abi";
+
+export { FPS } from "../util/constants";
 
 export interface MeshInput {
   /** V x 3, stage. */
@@ -27,7 +29,7 @@ export interface MeshReport {
 export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 
 /** What a point of a body is; a tip is an extremity without a name: an ear, a horn, a wing. */
-export type BodyRole = "tip" | "head" | "hand" | "foot" | "foreleg" | "tail" | "hips" | "chest";
+export type { BodyRole };
 
 /** A place where a model may well be held. */
 export interface BodyPoint {

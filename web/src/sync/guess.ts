@@ -1,7 +1,7 @@
 // From what a bare model says of itself to a project that dances at once. Pure.
 
 import { addPoints, newDocument } from "../document/commands";
-import { STAGE_HEIGHT } from "../document/stage";
+import { STAGE_HEIGHT } from "../util/constants";
 import type { MeshRef, Point, ProjectDocument } from "../document/types";
 import { jointFinder } from "../skeleton/match-joints";
 import type { BodyPoint, Joint, ShapeAnalysis } from "../engine/types";

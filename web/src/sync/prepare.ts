@@ -1,10 +1,11 @@
 // From what the user said to what the engine is asked, and back: units, axes, nearest vertices, joints by name. Pure.
 
 import { clipOf } from "../document/clips";
-import { boundsOf, fromStage, pointToStage, STAGE_HEIGHT, stageOf, toStage } from "../document/stage";
+import { boundsOf, fromStage, pointToStage, stageOf, toStage } from "../document/stage";
 import type { Stage } from "../document/stage";
 import type { Clip, Example, MeshRef, Pin, Point, ProjectDocument, Vec3 } from "../document/types";
 import { isSameJoint, jointFinder } from "../skeleton/match-joints";
+import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
 import type { ConstraintInput, ContactInput, ControlInput, Joint, MeshInput, Motion, RetargetInput } from "../engine/types";
 
 /** What of a model the solver knows; file units and axes. */
@@ -14,9 +15,6 @@ export interface SolverModel {
   /** F x 3. */
   readonly faces: Uint32Array;
 }
-
-/** A point's disc, in model heights, unless it says otherwise. */
-export const DEFAULT_RADIUS = 0.05;
 
 /** The transform between the model's file and the stage. */
 export function stageFor(model: SolverModel, mesh: MeshRef): Stage {

@@ -9,8 +9,8 @@ import { Lights } from "./lights";
 import type { Quality } from "./quality";
 import type { Theme } from "./theme";
 import { Travel, Traveller } from "./travel";
+import { PERSON_HEIGHT } from "../util/constants";
 
-const FIGURE_HEIGHT = 1.7;
 const HEADROOM = 0.06;
 /** A person with swinging arms. */
 export const HUMAN_WIDTH = 1.3;
@@ -42,7 +42,7 @@ export class Stage {
   readonly human = new Lane();
   /** Both figures on one spot. */
   overlay = false;
-  content: Content = { width: 2.7, height: FIGURE_HEIGHT, depth: 1 };
+  content: Content = { width: 2.7, height: PERSON_HEIGHT, depth: 1 };
   private readonly fog = new Fog("#ffffff");
   private readonly lights = new Lights();
   private readonly ground = new Ground();
@@ -105,7 +105,7 @@ export class Stage {
     const apart = side ? Math.abs(from.x - to.x) : 0;
     const behind = side ? Math.abs(from.y - to.y) : 0;
     const width = (side ? places.width : Math.max(human.width, model.width, 1)) + apart;
-    const height = Math.max(FIGURE_HEIGHT, model.top, human.top) + HEADROOM;
+    const height = Math.max(PERSON_HEIGHT, model.top, human.top) + HEADROOM;
     this.content = { width, height, depth: 1 + behind };
     this.lights.fitShadow(width + 0.8, height + 0.4, 2.2 + behind);
     this.travel.aim();

@@ -7,7 +7,7 @@ const base = ["util", "skeleton", "document", "engine"];
 const below: Record<string, string[]> = {
   util: [],
   skeleton: ["util"],
-  engine: [],
+  engine: ["util"],
   document: ["util"],
   sync: base,
   io: [...base, "sync"],

@@ -13,12 +13,14 @@
 
 namespace rigless {
 
+inline constexpr double person_height = 1.7;  // metres, where nothing better is known
+
 enum class LengthUnit : std::int32_t { metre, centimetre, millimetre, inch, cmu, foot, none };
 
 template <class S>
 struct UnitGuess {
   S metres_per_unit = 1;
-  LengthUnit unit = LengthUnit::none;  // none: the body is as tall as no unit makes it, and scaled to 1.7 m
+  LengthUnit unit = LengthUnit::none;  // none: the body is as tall as no unit makes it, and scaled to person_height
 };
 
 // Height of the upright body in the clip's units: the bones from ankle over hip and root to the top of the head,
@@ -27,9 +29,9 @@ struct UnitGuess {
 template <class S>
 S standing_height(const Clip<S>& clip, const JointRoles& roles);
 
-// The unit that brings the height nearest to 1.7 m on a logarithmic scale, if that is between 1.0 m and 2.4 m (a child,
-// a giant); otherwise the factor that makes it 1.7 m. 1 for a clip without extent. `cmu` is 0.45 inch, the unit of
-// CMU's files and of the BVH files made from them. Allocates scratch.
+// The unit that brings the height nearest to person_height on a logarithmic scale, if that is between 1.0 m and 2.4 m
+// (a child, a giant); otherwise the factor that makes it that. 1 for a clip without extent. `cmu` is 0.45 inch, the
+// unit of CMU's files and of the BVH files made from them. Allocates scratch.
 template <class S>
 UnitGuess<S> guess_unit(const Clip<S>& clip, const JointRoles& roles);
 
@@ -84,16 +86,15 @@ S standing_height(const Clip<S>& clip, const JointRoles& roles) {
 template <class S>
 UnitGuess<S> guess_unit(const Clip<S>& clip, const JointRoles& roles) {
   constexpr std::array<double, 6> metres = {1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45, 0.3048};  // as LengthUnit
-  constexpr double typical = 1.7;
   const double height = static_cast<double>(standing_height(clip, roles));
   if (!(height > 1e-9) || !std::isfinite(height)) return {};
   std::size_t best = 0;
-  const auto distance = [&](std::size_t k) { return std::abs(std::log(height * metres[k] / typical)); };
+  const auto distance = [&](std::size_t k) { return std::abs(std::log(height * metres[k] / person_height)); };
   for (std::size_t k = 1; k < metres.size(); ++k) {
     if (distance(k) < distance(best)) best = k;
   }
   const double tall = height * metres[best];
-  if (tall < 1.0 || tall > 2.4) return {static_cast<S>(typical / height), LengthUnit::none};
+  if (tall < 1.0 || tall > 2.4) return {static_cast<S>(person_height / height), LengthUnit::none};
   return {static_cast<S>(metres[best]), static_cast<LengthUnit>(best)};
 }
 

@@ -26,8 +26,7 @@ struct ConstraintRow {
 };
 
 // The equations behind the constraints on C tracks of T frames. Allocates.
-// Errors: index_out_of_range (a track or frame that does not exist, a velocity at frame 0), not_finite; where:
-// constraint, counted through positions, velocities, heights.
+// Errors: bad_constraint (where: counted through positions, velocities, heights).
 template <class S>
 Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, std::int32_t tracks,
                        std::vector<ConstraintRow<S>>& rows) {
@@ -37,7 +36,7 @@ Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, s
     return track >= 0 && track < tracks && frame >= 0 && frame < frames;
   };
   for (const auto& c : constraints.positions) {
-    if (!inside(c.track, c.frame)) return {Error::index_out_of_range, index};
+    if (!inside(c.track, c.frame)) return {Error::bad_constraint, index};
     for (std::int32_t axis = 0; axis < 3; ++axis) {
       if (!c.axes[static_cast<std::size_t>(axis)]) continue;
       result.push_back({{{{c.track, c.frame, axis, 1}, {c.track, c.frame, axis, 0}}}, c.position[axis], index});
@@ -45,7 +44,7 @@ Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, s
     ++index;
   }
   for (const auto& c : constraints.velocities) {
-    if (!inside(c.track, c.frame) || c.frame == 0) return {Error::index_out_of_range, index};
+    if (!inside(c.track, c.frame) || c.frame == 0) return {Error::bad_constraint, index};
     for (std::int32_t axis = 0; axis < 3; ++axis) {
       if (!c.axes[static_cast<std::size_t>(axis)]) continue;
       result.push_back({{{{c.track, c.frame, axis, 1}, {c.track, c.frame - 1, axis, -1}}}, c.velocity[axis], index});
@@ -53,12 +52,12 @@ Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, s
     ++index;
   }
   for (const auto& c : constraints.heights) {
-    if (!inside(c.track, c.frame) || !inside(c.other, c.frame)) return {Error::index_out_of_range, index};
+    if (!inside(c.track, c.frame) || !inside(c.other, c.frame)) return {Error::bad_constraint, index};
     result.push_back({{{{c.track, c.frame, 1, 1}, {c.other, c.frame, 1, -1}}}, c.difference, index});
     ++index;
   }
   for (const auto& row : result)
-    if (!std::isfinite(row.target)) return {Error::not_finite, row.constraint};
+    if (!std::isfinite(row.target)) return {Error::bad_constraint, row.constraint};
   rows = std::move(result);
   return {};
 }

@@ -56,7 +56,7 @@ template <class S>
 class SpacetimeSolver {
  public:
   // Allocates. Errors: no_frames; no_examples; size_mismatch (lengths that do not fit; where: track); not_finite
-  // (where: track, or constraint); index_out_of_range (where: constraint). On failure the previous solution is kept.
+  // (where: track); bad_constraint. On failure the previous solution is kept.
   Status begin(Span<const TrackInput<S>> tracks, std::int32_t frames, const Constraints<S>& constraints,
                const SpacetimeOptions<S>& options) {
     if (frames <= 0) return {Error::no_frames, -1};

@@ -27,8 +27,10 @@ struct StageTransform {
   }
 };
 
-// Makes V finite vertices stage_height tall; wide ones are measured by 0.6 of their width, so that they fit beside a
-// human. No allocation.
+// How much of its width counts as height, so that a wide mesh fits beside a human.
+inline constexpr double width_share = 0.6;
+
+// Makes V finite vertices stage_height tall. No allocation.
 template <class S>
 StageTransform<S> stage_transform(Span<const Vec3<S>> vertices, const Posture<S>& posture) {
   StageTransform<S> stage;
@@ -38,7 +40,7 @@ StageTransform<S> stage_transform(Span<const Vec3<S>> vertices, const Posture<S>
   const Vec3<double> a = stage.posture.see(box.low.template cast<double>());
   const Vec3<double> b = stage.posture.see(box.high.template cast<double>());
   const Vec3<double> extent = (a - b).cwiseAbs();
-  const double size = std::max(extent.y(), 0.6 * std::max(extent.x(), extent.z()));
+  const double size = std::max(extent.y(), width_share * std::max(extent.x(), extent.z()));
   if (size > 0 && std::isfinite(size)) stage.scale = stage_height / size;
   stage.offset = -stage.scale * Vec3<double>((a.x() + b.x()) / 2, std::min(a.y(), b.y()), (a.z() + b.z()) / 2);
   return stage;

@@ -3,6 +3,7 @@ import { customElement } from "lit/decorators.js";
 import { pointPartners } from "../../sync/prepare";
 import { SessionElement } from "../element";
 import { base } from "../styles";
+import { DEFAULT_SMOOTHNESS } from "../../util/constants";
 import { count, figure, stem } from "../../util/words";
 import type { RangeDetail } from "./range";
 import "./range";
@@ -45,7 +46,7 @@ export class Inspector extends SessionElement {
       </header>
       <rigless-range label="Volume" track="volume" .value=${settings.volume} .max=${3} .rest=${1} low="flat" high="juicy"
         @range=${(event: CustomEvent<RangeDetail>) => this.session.setSetting("volume", event.detail.value, event.detail.held)}></rigless-range>
-      <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${0.3} low="snappy" high="floaty"
+      <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${DEFAULT_SMOOTHNESS} low="snappy" high="floaty"
         @range=${(event: CustomEvent<RangeDetail>) => this.session.setSetting("smoothness", event.detail.value, event.detail.held)}></rigless-range>
       <div class="switches">
         <rigless-switch label="Ground contact" effect=${this.contactEffect()} .on=${settings.groundContact}

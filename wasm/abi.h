@@ -1,0 +1,160 @@
+// What crosses the boundary, told once. wasm/abi.mjs reads this file and the exported functions beside it and writes
+// what TypeScript knows of them, so it takes only what is written as here: aliases of the core's enums and constants,
+// and structs of the field types below. A field that an answer leaves out, or that its struct does not have, does not
+// compile.
+#pragma once
+
+#include <cstdint>
+#include <new>
+#include <type_traits>
+
+#include "rigless/math/status.h"
+#include "rigless/math/types.h"
+#include "rigless/mesh/shape_analysis.h"
+#include "rigless/motion/standardise.h"
+#include "rigless/retarget/retarget.h"
+#include "rigless/scene/detail/stage_transform.h"
+#include "rigless/scene/performance.h"
+
+namespace rigless_wasm {
+
+// Index in the low half, generation in the high half; never 0.
+using ObjectHandle = std::uint32_t;
+
+// 0 when all is well, otherwise error * 2^32 + where: exact in a double.
+using PackedStatus = double;
+
+// Enums whose names both sides know.
+using CoreError = rigless::Error;
+using LengthUnit = rigless::LengthUnit;
+using UpAxis = rigless::UpAxis;
+using BodyRole = rigless::BodyRole;
+
+// Constants that both sides know.
+inline constexpr double fps = rigless::performance_fps;            // of every performance
+inline constexpr double person_height = rigless::person_height;    // metres, where nothing better is known
+inline constexpr double stage_height = rigless::stage_height;      // how tall a model stands on the stage, metres
+inline constexpr double width_share = rigless::width_share;        // how much of its width counts as height
+inline constexpr double default_radius = rigless::default_radius;  // of a point, in model heights
+inline constexpr double default_smoothness = rigless::default_smoothness;  // weight of acceleration at 30 fps
+
+// Field types: one double each, a vector three.
+struct Number {
+  double value;
+  template <class T>
+  Number(T number) : value(static_cast<double>(number)) {}
+};
+
+struct Flag {
+  double value;
+  Flag(bool flag) : value(flag ? 1 : 0) {}
+};
+
+template <class Enum>
+struct NameOf {
+  double value;
+  NameOf(Enum one) : value(static_cast<double>(one)) {}
+};
+
+struct Vector {
+  Number x, y, z;
+  template <class S>
+  Vector(const rigless::Vec3<S>& v) : x(v.x()), y(v.y()), z(v.z()) {}
+};
+
+static_assert(sizeof(Number) == sizeof(double) && sizeof(Vector) == 3 * sizeof(double));
+
+struct BodyReport {
+  Number volume;  // NaN when open
+  Number boundary_edges;
+  Number non_manifold_edges;
+  Number shells;
+  Number isolated_vertices;
+  Number degenerate_faces;
+  Number floor;   // height of the lowest vertex above y = 0
+  Number height;  // from there to the highest vertex
+};
+
+struct BakeRoot {
+  Vector position;      // of the body's origin in the world
+  Number yaw;           // radians
+  Number volume_ratio;  // NaN when open
+};
+
+struct MotionInfo {
+  Number frames;  // T
+  Number joints;  // J
+  Number source_frames;
+  Number source_fps;
+  Number metres_per_unit;  // of the file
+};
+
+// What a parser worked around (rigless::ParseNotes), and what was guessed of the file.
+struct MotionNotes {
+  Number frames_declared;
+  Number frames_read;
+  Flag frame_cut;
+  Flag text_after_end;
+  Flag frame_time_assumed;
+  Number roots;
+  Number renamed;
+  Number lengths_ignored;
+  NameOf<UpAxis> up;
+  NameOf<LengthUnit> unit;
+};
+
+struct PerformanceInfo {
+  Number frames;    // T
+  Number controls;  // C
+  Number flights;
+  Number constraints;
+  Number asks;
+  Number slip_before;  // metres per second, without the foot lock
+  Number slip_after;   // with it
+  Number have;         // the user's examples, images counted
+  Number want;         // how many would be enough
+  Number starters;
+};
+
+// How far a constraint is missed.
+struct Miss {
+  Number metres;
+  Number opponent;  // the constraint that it contradicts, or -1
+};
+
+// A frame that is worth an example.
+struct Ask {
+  Number frame;
+  Number gain;
+};
+
+// What a bare mesh says of itself, in its own axes and units.
+struct Shape {
+  Vector up;
+  Vector front;
+  Vector plane_point;
+  Vector plane_normal;
+  Number misfit;   // of the mirrored surface, in diagonals
+  Flag symmetric;  // in the plane
+  Number points;
+};
+
+struct ShapePoint {
+  Number vertex;
+  NameOf<BodyRole> role;
+  Number side;     // 1 on the body's left, -1 on its right, 0 in the middle
+  Number partner;  // index of the same point on the other side, its own on the plane, or -1
+  Number radius;
+  Flag wanted;
+};
+
+// Keeps an answer until the same is asked again.
+template <class Struct>
+RIGLESS_INNER const Struct* answer(const Struct& value) {
+  static_assert(std::is_trivially_copyable_v<Struct> && std::is_standard_layout_v<Struct>);
+  static_assert(sizeof(Struct) % sizeof(double) == 0 && alignof(Struct) == alignof(double));
+  alignas(Struct) static char kept[sizeof(Struct)];
+  return new (kept) Struct(value);
+}
+
+}  // namespace rigless_wasm

@@ -1,0 +1,329 @@
+// The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
+
+/** A module that answers another number to abi() was built from another description. */
+export const ABI = 1591193045;
+
+/** 0: ok; otherwise error * 2^32 + where. */
+export type PackedStatus = number;
+/** Index and generation; 0 is none. */
+export type Handle = number;
+export type Integers = Int32Array | Uint32Array;
+
+declare const pointed: unique symbol;
+/** Where the core keeps something. */
+export type Pointer<T = unknown> = number & { readonly [pointed]?: T };
+
+/** How a struct is read from its doubles. */
+export interface Row<T> {
+  doubles: number;
+  read(n: Float64Array): T;
+}
+
+export const CORE_ERROR_NAMES = [
+  "none",
+  "empty_input",
+  "not_this_format",
+  "unexpected_end",
+  "bad_number",
+  "bad_syntax",
+  "unknown_joint",
+  "duplicate_joint",
+  "unsupported",
+  "no_frames",
+  "no_faces",
+  "index_out_of_range",
+  "not_finite",
+  "no_controls",
+  "factorization_failed",
+  "size_mismatch",
+  "no_examples",
+  "bad_constraint",
+  "infeasible",
+  "out_of_memory",
+] as const;
+export type CoreError = (typeof CORE_ERROR_NAMES)[number];
+
+export const LENGTH_UNIT_NAMES = ["metre", "centimetre", "millimetre", "inch", "cmu", "foot", "none"] as const;
+export type LengthUnit = (typeof LENGTH_UNIT_NAMES)[number];
+
+export const UP_AXIS_NAMES = ["y", "z"] as const;
+export type UpAxis = (typeof UP_AXIS_NAMES)[number];
+
+export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest"] as const;
+export type BodyRole = (typeof BODY_ROLE_NAMES)[number];
+
+export interface BodyReport {
+  /** NaN when open. */
+  volume: number;
+  boundaryEdges: number;
+  nonManifoldEdges: number;
+  shells: number;
+  isolatedVertices: number;
+  degenerateFaces: number;
+  /** Height of the lowest vertex above y = 0. */
+  floor: number;
+  /** From there to the highest vertex. */
+  height: number;
+}
+
+export const bodyReportRow: Row<BodyReport> = {
+  doubles: 8,
+  read: (n) => ({
+    volume: n[0],
+    boundaryEdges: n[1],
+    nonManifoldEdges: n[2],
+    shells: n[3],
+    isolatedVertices: n[4],
+    degenerateFaces: n[5],
+    floor: n[6],
+    height: n[7],
+  }),
+};
+
+export interface BakeRoot {
+  /** Of the body's origin in the world. */
+  position: [number, number, number];
+  /** Radians. */
+  yaw: number;
+  /** NaN when open. */
+  volumeRatio: number;
+}
+
+export const bakeRootRow: Row<BakeRoot> = { doubles: 5, read: (n) => ({ position: [n[0], n[1], n[2]], yaw: n[3], volumeRatio: n[4] }) };
+
+export interface MotionInfo {
+  /** T. */
+  frames: number;
+  /** J. */
+  joints: number;
+  sourceFrames: number;
+  sourceFps: number;
+  /** Of the file. */
+  metresPerUnit: number;
+}
+
+export const motionInfoRow: Row<MotionInfo> = {
+  doubles: 5,
+  read: (n) => ({ frames: n[0], joints: n[1], sourceFrames: n[2], sourceFps: n[3], metresPerUnit: n[4] }),
+};
+
+/** What a parser worked around (rigless::ParseNotes), and what was guessed of the file. */
+export interface MotionNotes {
+  framesDeclared: number;
+  framesRead: number;
+  frameCut: boolean;
+  textAfterEnd: boolean;
+  frameTimeAssumed: boolean;
+  roots: number;
+  renamed: number;
+  lengthsIgnored: number;
+  up: UpAxis;
+  unit: LengthUnit;
+}
+
+export const motionNotesRow: Row<MotionNotes> = {
+  doubles: 10,
+  read: (n) => ({
+    framesDeclared: n[0],
+    framesRead: n[1],
+    frameCut: n[2] !== 0,
+    textAfterEnd: n[3] !== 0,
+    frameTimeAssumed: n[4] !== 0,
+    roots: n[5],
+    renamed: n[6],
+    lengthsIgnored: n[7],
+    up: UP_AXIS_NAMES[n[8]],
+    unit: LENGTH_UNIT_NAMES[n[9]],
+  }),
+};
+
+export interface PerformanceInfo {
+  /** T. */
+  frames: number;
+  /** C. */
+  controls: number;
+  flights: number;
+  constraints: number;
+  asks: number;
+  /** Metres per second, without the foot lock. */
+  slipBefore: number;
+  /** With it. */
+  slipAfter: number;
+  /** The user's examples, images counted. */
+  have: number;
+  /** How many would be enough. */
+  want: number;
+  starters: number;
+}
+
+export const performanceInfoRow: Row<PerformanceInfo> = {
+  doubles: 10,
+  read: (n) => ({
+    frames: n[0],
+    controls: n[1],
+    flights: n[2],
+    constraints: n[3],
+    asks: n[4],
+    slipBefore: n[5],
+    slipAfter: n[6],
+    have: n[7],
+    want: n[8],
+    starters: n[9],
+  }),
+};
+
+/** How far a constraint is missed. */
+export interface Miss {
+  metres: number;
+  /** The constraint that it contradicts, or -1. */
+  opponent: number;
+}
+
+export const missRow: Row<Miss> = { doubles: 2, read: (n) => ({ metres: n[0], opponent: n[1] }) };
+
+/** A frame that is worth an example. */
+export interface Ask {
+  frame: number;
+  gain: number;
+}
+
+export const askRow: Row<Ask> = { doubles: 2, read: (n) => ({ frame: n[0], gain: n[1] }) };
+
+/** What a bare mesh says of itself, in its own axes and units. */
+export interface Shape {
+  up: [number, number, number];
+  front: [number, number, number];
+  planePoint: [number, number, number];
+  planeNormal: [number, number, number];
+  /** Of the mirrored surface, in diagonals. */
+  misfit: number;
+  /** In the plane. */
+  symmetric: boolean;
+  points: number;
+}
+
+export const shapeRow: Row<Shape> = {
+  doubles: 15,
+  read: (n) => ({
+    up: [n[0], n[1], n[2]],
+    front: [n[3], n[4], n[5]],
+    planePoint: [n[6], n[7], n[8]],
+    planeNormal: [n[9], n[10], n[11]],
+    misfit: n[12],
+    symmetric: n[13] !== 0,
+    points: n[14],
+  }),
+};
+
+export interface ShapePoint {
+  vertex: number;
+  role: BodyRole;
+  /** 1 on the body's left, -1 on its right, 0 in the middle. */
+  side: number;
+  /** Index of the same point on the other side, its own on the plane, or -1. */
+  partner: number;
+  radius: number;
+  wanted: boolean;
+}
+
+export const shapePointRow: Row<ShapePoint> = {
+  doubles: 6,
+  read: (n) => ({ vertex: n[0], role: BODY_ROLE_NAMES[n[1]], side: n[2], partner: n[3], radius: n[4], wanted: n[5] !== 0 }),
+};
+
+export interface RiglessExports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  body_new(): Handle;
+  body_delete(body: Handle): void;
+  body_set_mesh(
+    body: Handle,
+    positions: Pointer<Float32Array>,
+    vertices: number,
+    faces: Pointer<Integers>,
+    faceCount: number,
+  ): PackedStatus;
+  body_report(body: Handle): Pointer<BodyReport>;
+  body_set_controls(body: Handle, vertices: Pointer<Integers>, radii: Pointer<Float32Array>, count: number): PackedStatus;
+  body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
+  body_positions(body: Handle): Pointer<Float32Array>;
+  body_volume_ratio(body: Handle): number;
+  body_rest_controls(body: Handle): Pointer<Float32Array>;
+  bake_new(): Handle;
+  bake_delete(bake: Handle): void;
+  bake_begin(
+    bake: Handle,
+    body: Handle,
+    frames: number,
+    controls: Pointer<Float32Array>,
+    yaw: Pointer<Float32Array>,
+    travel: Pointer<Float32Array>,
+    flights: Pointer<Integers>,
+    flightCount: number,
+    volume: number,
+  ): void;
+  bake_frame(bake: Handle, frame: number): PackedStatus;
+  bake_positions(bake: Handle): Pointer<Float32Array>;
+  bake_root(bake: Handle): Pointer<BakeRoot>;
+  motion_new(): Handle;
+  motion_delete(motion: Handle): void;
+  motion_read_bvh(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
+  motion_read_asf(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
+  motion_read_amc(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
+  motion_info(motion: Handle): Pointer<MotionInfo>;
+  motion_notes(motion: Handle): Pointer<MotionNotes>;
+  motion_name(motion: Handle, joint: number): Pointer<Uint8Array>;
+  motion_name_bytes(motion: Handle, joint: number): number;
+  motion_parents(motion: Handle): Pointer<Integers>;
+  motion_positions(motion: Handle): Pointer<Float32Array>;
+  motion_local(motion: Handle): Pointer<Float32Array>;
+  motion_yaw(motion: Handle): Pointer<Float32Array>;
+  performance_new(): Handle;
+  performance_delete(performance: Handle): void;
+  performance_place(performance: Handle, control: number, frame: number, axes: number, x: number, y: number, z: number): void;
+  performance_still(performance: Handle, control: number, frame: number): void;
+  performance_stand(performance: Handle, control: number, begin: number, end: number): void;
+  performance_fly(performance: Handle, flights: Pointer<Integers>, count: number): void;
+  performance_mirror(performance: Handle, partners: Pointer<Integers>, controls: number, x: number, y: number, z: number): void;
+  performance_begin(
+    performance: Handle,
+    motion: Handle,
+    pairs: Pointer<Integers>,
+    rest: Pointer<Float32Array>,
+    controls: number,
+    floor: number,
+    height: number,
+    exampleJoints: Pointer<Float32Array>,
+    exampleControls: Pointer<Float32Array>,
+    examples: number,
+    smoothness: number,
+    groundContact: number,
+    inPlace: number,
+  ): PackedStatus;
+  performance_advance(performance: Handle): PackedStatus;
+  performance_progress(performance: Handle): number;
+  performance_info(performance: Handle): Pointer<PerformanceInfo>;
+  performance_miss(performance: Handle, constraint: number): Pointer<Miss>;
+  performance_ask(performance: Handle, index: number): Pointer<Ask>;
+  performance_controls(performance: Handle): Pointer<Float32Array>;
+  performance_contacts(performance: Handle): Pointer<Uint8Array>;
+  performance_flights(performance: Handle): Pointer<Integers>;
+  performance_yaw(performance: Handle): Pointer<Float32Array>;
+  performance_travel(performance: Handle): Pointer<Float32Array>;
+  performance_source_contacts(performance: Handle): Pointer<Uint8Array>;
+  performance_coverage(performance: Handle): Pointer<Float32Array>;
+  abi(): number;
+  alloc(bytes: number): Pointer;
+  release(memory: Pointer): void;
+}
+
+export interface ShapeAnalysisExports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  abi(): number;
+  alloc(bytes: number): Pointer;
+  release(memory: Pointer): void;
+  analyse_shape(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number): PackedStatus;
+  shape(): Pointer<Shape>;
+  shape_point(index: number): Pointer<ShapePoint>;
+}

@@ -1,0 +1,57 @@
+// The memory of a module. The only file that makes views of it: each is made, used and dropped at once, because it dies when
+// the heap grows.
+
+import type { Integers, Pointer, Row } from "./abi";
+import { outOfMemory } from "./messages";
+
+type Lendable = Float32Array | Integers | Uint8Array;
+/** The pointer to each array. */
+type Lent<Arrays> = { [K in keyof Arrays]: Pointer<Arrays[K]> };
+
+interface Memory {
+  memory: WebAssembly.Memory;
+  alloc(bytes: number): Pointer;
+  release(at: Pointer): void;
+}
+
+export class Heap {
+  constructor(readonly module: Memory) {}
+
+  /** Copies arrays in for the time of one call. */
+  lend<Arrays extends Lendable[], T>(arrays: [...Arrays], use: (pointers: Lent<Arrays>) => T): T {
+    const pointers: Pointer[] = [];
+    try {
+      for (const array of arrays) {
+        const at = this.module.alloc(Math.max(array.byteLength, 1));
+        if (at === 0) throw outOfMemory();
+        pointers.push(at);
+        const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+        new Uint8Array(this.module.memory.buffer, at, array.byteLength).set(bytes);
+      }
+      return use(pointers as Lent<Arrays>);
+    } finally {
+      for (const at of pointers) this.module.release(at);
+    }
+  }
+
+  /** What the core answers in a struct. */
+  read<T>(row: Row<T>, at: Pointer<T>): T {
+    return row.read(new Float64Array(this.module.memory.buffer, at, row.doubles));
+  }
+
+  floats(at: Pointer<Float32Array>, length: number): Float32Array {
+    return new Float32Array(this.module.memory.buffer, at, length).slice();
+  }
+
+  integers(at: Pointer<Integers>, length: number): Int32Array {
+    return new Int32Array(this.module.memory.buffer, at, length).slice();
+  }
+
+  bytes(at: Pointer<Uint8Array>, length: number): Uint8Array {
+    return new Uint8Array(this.module.memory.buffer, at, length).slice();
+  }
+
+  text(at: Pointer<Uint8Array>, bytes: number): string {
+    return new TextDecoder().decode(new Uint8Array(this.module.memory.buffer, at, bytes));
+  }
+}

@@ -1,0 +1,132 @@
+// What the core is asked before it retargets, and what it answers.
+
+import { askRow, missRow, motionInfoRow, performanceInfoRow } from "./abi";
+import type { BodyReport, Handle, RiglessExports } from "./abi";
+import type { Heap } from "./heap";
+import { engineError } from "./messages";
+import { EngineError } from "./types";
+import type { ConstraintInput, Performance, RetargetInput } from "./types";
+
+/** Who dances, and to what. */
+export interface Scene {
+  body: Handle;
+  report: BodyReport;
+  controls: number;
+  motion: Handle;
+}
+
+export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, scene: Scene, input: RetargetInput): void {
+  const { joints } = heap.read(motionInfoRow, wasm.motion_info(scene.motion));
+  const { examples, pairs } = input;
+  if (pairs.length !== scene.controls) {
+    throw new EngineError("bad_controls", "Every control of the model needs one entry in the pairs.");
+  }
+  if (examples.some((e) => e.joints.length !== 3 * joints || e.controls.length !== 3 * scene.controls)) {
+    throw new EngineError("bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
+  }
+  constrain(wasm, handle, input.constraints ?? []);
+  edit(wasm, heap, handle, scene.controls, input);
+  const exampleJoints = joined(examples.map((example) => example.joints));
+  const exampleControls = joined(examples.map((example) => example.controls));
+  const status = heap.lend([pairs, exampleJoints, exampleControls], ([pairsAt, jointsAt, controlsAt]) =>
+    wasm.performance_begin(
+      handle,
+      scene.motion,
+      pairsAt,
+      wasm.body_rest_controls(scene.body),
+      scene.controls,
+      scene.report.floor,
+      scene.report.height,
+      jointsAt,
+      controlsAt,
+      examples.length,
+      input.smoothness,
+      Number(input.groundContact),
+      Number(input.inPlace),
+    ),
+  );
+  if (status !== 0) throw engineError(status, { kind: "retarget", constraints: inCoreOrder(input.constraints ?? []) });
+}
+
+export function describePerformance(
+  wasm: RiglessExports,
+  heap: Heap,
+  handle: Handle,
+  constraints: ConstraintInput[],
+  milliseconds: number,
+): Performance {
+  const info = heap.read(performanceInfoRow, wasm.performance_info(handle));
+  const { frames, controls } = info;
+  const ends = heap.integers(wasm.performance_flights(handle), 2 * info.flights);
+  return {
+    frames,
+    controls: heap.floats(wasm.performance_controls(handle), 3 * frames * controls),
+    contacts: heap.bytes(wasm.performance_contacts(handle), frames * controls),
+    flights: Array.from({ length: info.flights }, (_, i): [number, number] => [ends[2 * i], ends[2 * i + 1]]),
+    yaw: heap.floats(wasm.performance_yaw(handle), frames),
+    travel: heap.floats(wasm.performance_travel(handle), 2 * frames),
+    slip: { before: info.slipBefore, after: info.slipAfter },
+    missed: missed(wasm, heap, handle, info.constraints, constraints),
+    coverage: heap.floats(wasm.performance_coverage(handle), frames),
+    ask: Array.from({ length: info.asks }, (_, n) => heap.read(askRow, wasm.performance_ask(handle, n))),
+    enough: { have: info.have, want: info.want },
+    starters: info.starters,
+    sourceContacts: heap.bytes(wasm.performance_source_contacts(handle), frames * controls),
+    milliseconds,
+  };
+}
+
+/** The core counts through the places, then those that are still: the index of each in the input. */
+function inCoreOrder(constraints: ConstraintInput[]): number[] {
+  return (["position", "still"] as const).flatMap((kind) => constraints.flatMap((one, n) => (one.kind === kind ? [n] : [])));
+}
+
+function constrain(wasm: RiglessExports, handle: Handle, constraints: ConstraintInput[]): void {
+  for (const constraint of constraints) {
+    const { kind, control, frame } = constraint;
+    if (kind === "still") {
+      wasm.performance_still(handle, control, frame);
+    } else {
+      const axes = (constraint.axes ?? [true, true, true]).reduce((bits, on, axis) => bits | (Number(on) << axis), 0);
+      wasm.performance_place(handle, control, frame, axes, ...constraint.value);
+    }
+  }
+}
+
+/** Contacts, flights and mirror images instead of those of the motion and the model. */
+function edit(wasm: RiglessExports, heap: Heap, handle: Handle, controls: number, input: RetargetInput): void {
+  const { contacts = [], flights = null, mirror = null, mirrorPlane = null } = input;
+  for (const { control, runs } of contacts) {
+    if (!Number.isInteger(control) || control < 0 || control >= controls) {
+      throw new EngineError("bad_controls", "A contact is said of a point that the model does not have.");
+    }
+    wasm.performance_stand(handle, control, 0, 0);
+    for (const [begin, end] of runs) wasm.performance_stand(handle, control, begin, end);
+  }
+  if (flights) heap.lend([Int32Array.from(flights.flat())], ([at]) => wasm.performance_fly(handle, at, flights.length));
+  if (mirror) {
+    if (mirror.length !== controls) throw new EngineError("bad_controls", "Every control of the model needs one partner in the mirror.");
+    heap.lend([mirror], ([at]) => wasm.performance_mirror(handle, at, mirror.length, ...(mirrorPlane?.normal ?? [1, 0, 0])));
+  }
+}
+
+function missed(wasm: RiglessExports, heap: Heap, handle: Handle, count: number, constraints: ConstraintInput[]): Performance["missed"] {
+  const order = inCoreOrder(constraints);
+  const all = { worst: new Float32Array(count), against: new Int32Array(count) };
+  order.forEach((n, k) => {
+    const { metres, opponent } = heap.read(missRow, wasm.performance_miss(handle, k));
+    all.worst[n] = metres;
+    all.against[n] = order[opponent] ?? -1;
+  });
+  return all;
+}
+
+function joined(arrays: Float32Array[]): Float32Array {
+  const all = new Float32Array(arrays.reduce((sum, array) => sum + array.length, 0));
+  let at = 0;
+  for (const array of arrays) {
+    all.set(array, at);
+    at += array.length;
+  }
+  return all;
+}
