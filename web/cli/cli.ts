@@ -7,7 +7,7 @@ import { version } from "../package.json";
 import { DocumentError } from "../src/document/project";
 import type { ProjectDocument } from "../src/document/types";
 import { EngineError } from "../src/engine/types";
-import type { Engine, MotionInput } from "../src/engine/types";
+import type { Engine, Motion, MotionInput } from "../src/engine/types";
 import { createNodeEngine } from "../src/engine/node";
 import { bake } from "../src/io/bake";
 import { count } from "../src/io/model";
@@ -18,13 +18,14 @@ import { readModel } from "../src/io/read-model";
 import { glbBytes, keptFrames, writeGlb } from "../src/io/write-glb";
 import { serializeTrack, trackOf } from "../src/io/write-track";
 import { guessProject } from "../src/sync/guess";
-import { meshInput, pairingNotes, stageFor } from "../src/sync/prepare";
+import { pairingFault, pairingNotes } from "../src/sync/pairing";
+import { meshInput, stageFor } from "../src/sync/prepare";
 import { FileError, loadModelAndMotion, loadProject, OutputFiles } from "./files";
 import { Progress } from "./progress";
 
 const HELP = `Human motion on any mesh, without a rig.
 
-  rigless bake <project> --out dance.glb [--track track.json] [--every K] [--quiet]
+  rigless bake <project> --out dance.glb [--track track.json] [--every K] [--anyway] [--quiet]
   rigless bake <model> <motion> --out dance.glb [...]
 
 <project> is a project.json beside the files that it names, or a saved .rigless file.
@@ -34,6 +35,7 @@ held and which joints move it is then guessed from its shape, and said.
   --out FILE     an animated GLB: one morph target per kept frame
   --track FILE   the dance as numbers: points, root, contacts
   --every K      keep every K-th frame in the GLB (default 1)
+  --anyway       bake even if the motion has none of the joints that the points follow
   --quiet        say nothing but errors
   --help         this page
   --version      ${version}
@@ -56,6 +58,7 @@ interface BakeCommand {
   out: string | null;
   track: string | null;
   every: number;
+  anyway: boolean;
   quiet: boolean;
 }
 
@@ -95,6 +98,12 @@ function checkSize(out: string, vertices: number, frames: number, every: number)
   );
 }
 
+/** Errors (FileError): nothing of the model would move as the human does. With --anyway the notes say so. */
+function checkPairing(document: ProjectDocument, motion: Motion, anyway: boolean): void {
+  const fault = anyway ? null : pairingFault(document, motion);
+  if (fault !== null) throw new FileError(`${fault} --anyway bakes it all the same.`);
+}
+
 function isExpected(error: unknown): boolean {
   return [UsageError, FileError, DocumentError, ModelError, EngineError].some((kind) => error instanceof kind);
 }
@@ -115,7 +124,14 @@ function readArguments(args: readonly string[]): BakeCommand | string {
   if (values.out === undefined && values.track === undefined) throw new UsageError("bake needs --out, --track or both.");
   const every = Number(values.every ?? 1);
   if (!Number.isInteger(every) || every < 1) throw new UsageError(`--every should be a whole number from 1, but it is "${values.every}".`);
-  return { inputs, out: values.out ?? null, track: values.track ?? null, every, quiet: values.quiet ?? false };
+  return {
+    inputs,
+    out: values.out ?? null,
+    track: values.track ?? null,
+    every,
+    anyway: values.anyway ?? false,
+    quiet: values.quiet ?? false,
+  };
 }
 
 function parsed(args: readonly string[]) {
@@ -127,6 +143,7 @@ function parsed(args: readonly string[]) {
         out: { type: "string", short: "o" },
         track: { type: "string" },
         every: { type: "string" },
+        anyway: { type: "boolean" },
         quiet: { type: "boolean", short: "q" },
         help: { type: "boolean", short: "h" },
         version: { type: "boolean", short: "v" },
@@ -188,6 +205,7 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
     const baked = await bake(engine, document, model, motion, {
       signal,
       onProgress: (step, done) => progress.step(step, done),
+      onMotion: (read) => checkPairing(document, read, command.anyway),
       onSolved: (frames) => command.out !== null && checkSize(command.out, model.drawn.toVertex.length, frames, command.every),
     });
     for (const note of [...model.notes, ...baked.motion.notes, ...pairingNotes(document, baked.motion)]) progress.note(note);

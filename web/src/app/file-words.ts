@@ -42,8 +42,14 @@ function list(words: readonly string[]): string {
 
 export function motionText(name: string, motion: Motion | null, pairing: readonly string[]): { title: string; text: string } {
   const length = motion ? `${count(motion.frames, "frame")}, ${figure(motion.frames / 30, 1)} s.` : "";
-  const more = pairing.length > 2 ? [pairing[0] ?? "", `And ${pairing.length - 1} more like it.`] : pairing;
-  return { title: `${name} plays now.`, text: [length, ...(motion?.notes ?? []), ...more].filter((part) => part !== "").join(" ") };
+  const text = [length, ...(motion?.notes ?? []), ...pairingText(pairing, motion)].filter((part) => part !== "").join(" ");
+  return { title: `${name} plays now.`, text };
+}
+
+/** What of the motion does not fit the points, in short, and what to do about it. */
+export function pairingText(notes: readonly string[], motion: Motion | null): string[] {
+  const some = notes.length > 2 ? [notes[0] ?? "", `And ${notes.length - 1} more like it.`] : notes;
+  return motion?.told === false ? [...some, "Choose under Points which joint moves each of them."] : [...some];
 }
 
 function metres(value: number): string {

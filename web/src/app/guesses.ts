@@ -50,7 +50,7 @@ export class Guesses {
     if (!place) return false;
     const { points } = session.document;
     const id = points.some((point) => point.id === place.id) ? freeId(points, "p") : place.id;
-    session.apply(addPoint({ ...place, id }));
+    session.apply(addPoint({ ...place, id }, this.offered?.guess.roles));
     session.select(id);
     return true;
   }

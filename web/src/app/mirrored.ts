@@ -1,49 +1,31 @@
-import type { Example, Vec3 } from "../document/types";
-import { jointFinder } from "../skeleton/match-joints";
+import type { Example, ProjectDocument } from "../document/types";
 import type { Motion } from "../engine/types";
+import { jointPartners } from "../skeleton/pair-joints";
+import { exampleJoints } from "../sync/pairing";
 
 /** Root mean square metres between joints: farther is another pose. */
 const NEAR = 0.16;
 
 /**
  * The frame at which the human comes nearest to the mirror image of an example's pose; null if it never comes near, or if no
- * joint has a partner by name.
+ * joint of a side has a partner on the other.
  */
-export function mirroredFrame({ joints }: Example, motion: Motion): number | null {
-  const names = Object.keys(joints);
-  const find = jointFinder(names);
-  const wanted = motion.joints.map(({ name }): Vec3 | null => {
-    const other = find(otherSide(name));
-    const place = other < 0 ? undefined : joints[names[other]];
-    return place ? [-place[0], place[1], place[2]] : null;
-  });
-  if (!motion.joints.some(({ name }, j) => wanted[j] && otherSide(name) !== name)) return null;
+export function mirroredFrame(example: Example, { joints: roles }: Pick<ProjectDocument, "joints">, motion: Motion): number | null {
+  const [pose] = exampleJoints({ points: [], examples: [example], ...(roles && { joints: roles }) }, motion);
+  const partners = jointPartners(motion.joints);
+  const known = [...partners.keys()].filter((j) => partners[j] >= 0 && !Number.isNaN(pose?.[3 * partners[j]] ?? NaN));
+  if (!pose || known.every((j) => partners[j] === j)) return null;
+  const wanted = known.map((j) => [-1, 1, 1].map((sign, k) => sign * pose[3 * partners[j] + k]));
   const count = motion.joints.length;
   let best: number | null = null;
   let least = NEAR * NEAR;
   for (let frame = 0; frame < motion.frames; frame++) {
     let sum = 0;
-    let known = 0;
-    wanted.forEach((place, j) => {
-      if (!place) return;
-      known++;
+    known.forEach((j, n) => {
       const at = 3 * (frame * count + j);
-      for (let k = 0; k < 3; k++) sum += (motion.local[at + k] - place[k]) ** 2;
+      for (let k = 0; k < 3; k++) sum += (motion.local[at + k] - wanted[n][k]) ** 2;
     });
-    if (sum / known < least) [best, least] = [frame, sum / known];
+    if (sum / known.length < least) [best, least] = [frame, sum / known.length];
   }
   return best;
-}
-
-/** "LeftHand" for "RightHand", "lfoot" for "rfoot". */
-function otherSide(name: string): string {
-  const swap = (side: string): string =>
-    ({ left: "right", right: "left", Left: "Right", Right: "Left", LEFT: "RIGHT", RIGHT: "LEFT", l: "r", r: "l", L: "R", R: "L" })[side] ??
-    side;
-  const word = /left|right/i.exec(name);
-  if (word) return name.replace(word[0], swap(word[0]));
-  return name.replace(
-    /(^|[:|._ -])([lrLR])(?=[A-Z._ -]|(?:foot|hand|wrist|thumb|fingers|femur|tibia|toes|hipjoint|clavicle|humerus|radius)\b)/,
-    (_, before: string, side: string) => before + swap(side),
-  );
 }

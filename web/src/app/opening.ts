@@ -8,11 +8,11 @@ import type { NamedFile } from "../io/named-file";
 import { readModelInWorker } from "../io/read-model-in-worker";
 import type { FoundMotion } from "../io/read-motion-files";
 import type { SortedFiles } from "../io/sort-files";
-import { pairingNotes } from "../sync/prepare";
+import { pairingNotes } from "../sync/pairing";
 import type { Taken } from "../sync/workspace";
 import type { Character } from "./builtins";
 import type { Performer } from "./cast";
-import { guessText, modelText, motionText } from "./file-words";
+import { guessText, modelText, motionText, pairingText } from "./file-words";
 import type { JobHandle } from "./jobs";
 import type { NoticeInput } from "./notices";
 import type { MotionEntry } from "./motions";
@@ -132,12 +132,13 @@ export class Opening {
     job.step(2);
     const files = this.sources.keepMotion(opened.document.motion.files, opened.motion);
     const file = await this.sources.keepModel(opened.document.mesh.file, model, opened.modelFiles);
-    await this.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
+    const taken = await this.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
     const { session } = this;
     session.markSaved();
     session.endIntro();
     session.setPanel(null);
-    this.say({ title: `${opened.document.name} is open.`, text: model.notes.join(" "), actions: [session.undoAction()] });
+    const pairing = taken.motion ? pairingText(pairingNotes(session.document, taken.motion), taken.motion) : [];
+    this.say({ title: `${opened.document.name} is open.`, text: [...model.notes, ...pairing].join(" "), actions: [session.undoAction()] });
   }
 
   /** Answers the model if it was opened. */
@@ -170,7 +171,7 @@ export class Opening {
     const { document } = session;
     try {
       if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
-      await this.change(commands.addPoints(guess.points)(document), job);
+      await this.change(commands.addPoints(guess.points, guess.roles)(document), job);
       session.setPanel(null);
       this.say({ ...guessText(guess.points), icon: "points", actions: [session.undoAction()] });
     } catch (error) {

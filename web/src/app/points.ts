@@ -1,5 +1,6 @@
 import * as commands from "../document/commands";
 import type { Vec3 } from "../document/types";
+import { sayJoint } from "../sync/pairing";
 import type { Session } from "./session";
 
 /** Making, naming, pairing and taking away points. */
@@ -26,7 +27,10 @@ export class Points {
   }
 
   pair(id: string, joint: string | null): void {
-    this.session.apply(commands.pairPoint(id, joint));
+    const { document, motion } = this.session;
+    const driver = motion?.joints.find(({ name }) => name === joint);
+    const { name, roles } = driver ? sayJoint(document, driver) : { name: joint, roles: {} };
+    this.session.apply(commands.pairPoint(id, name, roles));
   }
 
   /** Its partner on the other side, itself in the middle, or nobody. */

@@ -1,8 +1,9 @@
 import * as commands from "../document/commands";
-import type { Command } from "../document/store";
 import type { Example, Vec3 } from "../document/types";
 import type { Motion } from "../engine/types";
-import { exampleControls, jointsOfPose, pointPartners, pointsOfControls } from "../sync/prepare";
+import { sayPose } from "../sync/pairing";
+import type { SaidPose } from "../sync/pairing";
+import { exampleControls, pointPartners, pointsOfControls } from "../sync/prepare";
 import type { Drag } from "./dragging";
 import { mirroredFrame } from "./mirrored";
 import type { Session } from "./session";
@@ -38,7 +39,7 @@ export class Poses {
   private mirrorOf(pose: Example, motion: Motion): number | null {
     const known = this.mirrors.get(pose);
     if (known?.motion === motion) return known.frame;
-    const frame = mirroredFrame(pose, motion);
+    const frame = mirroredFrame(pose, this.session.document, motion);
     this.mirrors.set(pose, { motion, frame });
     return frame;
   }
@@ -52,14 +53,15 @@ export class Poses {
   /** Makes what the hand holds an example at its frame; one that is there already changes. */
   keep({ frame, targets, wasPlaying }: Pick<Drag, "frame" | "targets" | "wasPlaying">): void {
     const { session } = this;
-    const pair = this.pairAt(frame, targets);
-    if (!pair) return;
+    const said = this.pairAt(frame, targets);
+    if (!said) return;
+    const { roles, ...pair } = said;
     const old = this.here.find((pose) => pose.source.frame === frame);
     session.holdShape(frame, wasPlaying);
-    if (old) session.apply(replaceExample({ ...old, ...pair }));
+    if (old) session.apply(commands.replaceExample({ ...old, ...pair }, roles));
     else {
       const id = commands.freeId(session.document.examples, "e");
-      session.apply(commands.addExample({ id, source: { motion: session.motionName, frame }, ...pair }));
+      session.apply(commands.addExample({ id, source: { motion: session.motionName, frame }, ...pair }, roles));
     }
     const instead = old ? `It took the place of the one at frame ${frame}. ` : "";
     session.notices.say({ title: POSED, text: `${instead}The whole dance followed.`, icon: "poses", actions: [session.undoAction()] });
@@ -79,8 +81,10 @@ export class Poses {
     const { session } = this;
     const { frame } = session.player;
     const pose = this.find(id);
-    const pair = session.performance && this.pairAt(frame, this.controlsAt(frame));
-    if (pose && pair) session.apply(replaceExample({ ...pose, source: { motion: session.motionName, frame }, ...pair }));
+    const said = session.performance && this.pairAt(frame, this.controlsAt(frame));
+    if (!pose || !said) return;
+    const { roles, ...pair } = said;
+    session.apply(commands.replaceExample({ ...pose, source: { motion: session.motionName, frame }, ...pair }, roles));
   }
 
   remove(id: string): void {
@@ -125,17 +129,13 @@ export class Poses {
   }
 
   /** The human at a frame and the model as these controls have it. */
-  private pairAt(frame: number, controls: Float32Array): { joints: Record<string, Vec3>; points: Record<string, Vec3> } | null {
+  private pairAt(frame: number, controls: Float32Array): (SaidPose & { points: Record<string, Vec3> }) | null {
     const { motion, model, document } = this.session;
     if (!motion || !model) return null;
     const size = 3 * motion.joints.length;
     return {
-      joints: jointsOfPose(motion.joints, motion.local.subarray(frame * size, (frame + 1) * size)),
+      ...sayPose(document, motion, motion.local.subarray(frame * size, (frame + 1) * size)),
       points: pointsOfControls(model, document, controls),
     };
   }
-}
-
-function replaceExample(example: Example): Command {
-  return (document) => ({ ...document, examples: document.examples.map((old) => (old.id === example.id ? example : old)) });
 }

@@ -1,6 +1,8 @@
 import { toStage } from "../document/stage";
 import type { Model } from "../io/model";
-import { meshInput, pointJoints, pointPartners, pointVertices, stageFor } from "../sync/prepare";
+import { describeJoints } from "../skeleton/pair-joints";
+import { pointJoints } from "../sync/pairing";
+import { meshInput, pointPartners, pointVertices, stageFor } from "../sync/prepare";
 import type { SolverModel } from "../sync/prepare";
 import type { PointMark } from "../viewport/types";
 import type { Session } from "./session";
@@ -43,10 +45,7 @@ export class Show {
   human(): void {
     const { motion, viewport, player } = this.session;
     if (!motion) return;
-    viewport?.setHuman({
-      names: motion.joints.map((joint) => joint.name),
-      parents: Int32Array.from(motion.joints, (joint) => joint.parent),
-    });
+    viewport?.setHuman({ joints: describeJoints(motion.joints), parents: Int32Array.from(motion.joints, (joint) => joint.parent) });
     player.setFrames(motion.frames);
     this.points();
     this.frame();

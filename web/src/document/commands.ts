@@ -14,6 +14,9 @@ export const DEFAULT_SETTINGS: Settings = {
   symmetry: true,
 };
 
+/** Roles of joints by name, to be kept as far as the document names these joints. */
+type Roles = NonNullable<ProjectDocument["joints"]>;
+
 /** A project that has a model and a motion and says nothing else yet. */
 export function newDocument(name: string, mesh: MeshRef, motion: MotionRef): ProjectDocument {
   return { version: 1, name, mesh, motion, points: [], examples: [], settings: DEFAULT_SETTINGS };
@@ -27,7 +30,7 @@ export const renameProject =
 /** Another model. Points and examples are places on the old one, so they go. */
 export const setMesh =
   (mesh: MeshRef): Command =>
-  ({ clips: _, ...document }) => ({ ...document, mesh, points: [], examples: [] });
+  ({ clips: _, joints: __, ...document }) => ({ ...document, mesh, points: [], examples: [] });
 
 /** Says how the same model stands. Points and examples are in the file's own axes, so they stay. */
 export const turnMesh =
@@ -47,19 +50,22 @@ export const setSettings =
     change(document, { settings: change(document.settings, settings) });
 
 export const addPoint =
-  (point: Point): Command =>
+  (point: Point, roles: Roles = {}): Command =>
   (document) =>
-    has(document.points, point.id) ? document : { ...document, points: [...document.points, point] };
+    has(document.points, point.id) ? document : withRoles({ ...document, points: [...document.points, point] }, roles);
 
 export const addPoints =
-  (points: readonly Point[]): Command =>
+  (points: readonly Point[], roles: Roles = {}): Command =>
   (document) =>
-    points.reduce((next, point) => addPoint(point)(next), document);
+    points.reduce((next, point) => addPoint(point, roles)(next), document);
 
 export const renamePoint = (id: string, name: string): Command => updatePoint(id, { name });
 
 /** Lets a joint drive a point; null: it follows the whole pose. */
-export const pairPoint = (id: string, joint: string | null): Command => updatePoint(id, { joint });
+export const pairPoint =
+  (id: string, joint: string | null, roles: Roles = {}): Command =>
+  (document) =>
+    withRoles(updatePoint(id, { joint })(document), roles);
 
 /** Takes a point away, from the examples, the clips and its partner too. */
 export const removePoint =
@@ -102,9 +108,15 @@ export const pairMirror =
   };
 
 export const addExample =
-  (example: Example): Command =>
+  (example: Example, roles: Roles = {}): Command =>
   (document) =>
-    has(document.examples, example.id) ? document : { ...document, examples: [...document.examples, example] };
+    has(document.examples, example.id) ? document : withRoles({ ...document, examples: [...document.examples, example] }, roles);
+
+/** Another pose in the place of the one with its id. */
+export const replaceExample =
+  (example: Example, roles: Roles = {}): Command =>
+  (document) =>
+    withRoles(change(document, { examples: replace(document.examples, example.id, () => example) }), roles);
 
 export const removeExample =
   (id: string): Command =>
@@ -120,6 +132,21 @@ export function freeId(taken: readonly { readonly id: string }[], prefix: string
 
 function updatePoint(id: string, values: Partial<Point>): Command {
   return (document) => change(document, { points: replace(document.points, id, (point) => change(point, values)) });
+}
+
+/** Keeps what roles say of joints that the document names, and forgets those that it names no longer. */
+function withRoles(document: ProjectDocument, roles: Roles): ProjectDocument {
+  const named = namedJoints(document);
+  const { joints: old = {}, ...rest } = document;
+  const kept = Object.entries({ ...old, ...roles }).filter(([name]) => named.has(name));
+  if (kept.length === Object.keys(old).length && kept.every(([name, role]) => Object.hasOwn(old, name) && old[name] === role))
+    return document;
+  return kept.length > 0 ? { ...document, joints: Object.fromEntries(kept) } : rest;
+}
+
+/** The joints of points and examples, by name. */
+function namedJoints({ points, examples }: ProjectDocument): Set<string> {
+  return new Set([...points.flatMap(({ joint }) => joint ?? []), ...examples.flatMap(({ joints }) => Object.keys(joints))]);
 }
 
 /** The same object if all these values are there already. */

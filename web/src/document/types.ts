@@ -86,6 +86,8 @@ export interface ProjectDocument {
   readonly motion: MotionRef;
   readonly points: readonly Point[];
   readonly examples: readonly Example[];
+  /** Roles of joints whose names do not tell them, such as "left foot", by the name that a point or an example says. */
+  readonly joints?: Readonly<Record<string, string>>;
   /** By the motion file's name, without folders. */
   readonly clips?: Readonly<Record<string, Clip>>;
   readonly settings: Settings;

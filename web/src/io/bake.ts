@@ -15,6 +15,8 @@ export interface BakeOptions {
   signal?: AbortSignal;
   /** What is being done, and 0..1 of it. */
   onProgress?: (step: string, done: number) => void;
+  /** Told the motion once it is read; what it throws ends the bake. */
+  onMotion?: (motion: Motion) => void;
   /** Told the number of frames before they are made; what it throws ends the bake. */
   onSolved?: (frames: number) => void;
 }
@@ -32,6 +34,7 @@ export async function bake(
     onProgress: (done) => options.onProgress?.(step, done),
   });
   const motion = await engine.setMotion(motionInput, call("Reading the motion"));
+  options.onMotion?.(motion);
   await engine.setMesh(meshInput(model, document.mesh), call("Binding the model"));
   await engine.setControls(controlInputs(model, document), call("Binding the points"));
   const performance = await engine.retarget(retargetInput(model, document, motion), call("Solving"));

@@ -3,8 +3,8 @@
 import { addPoints, newDocument } from "../document/commands";
 import { STAGE_HEIGHT } from "../util/constants";
 import type { MeshRef, Point, ProjectDocument } from "../document/types";
-import { jointFinder } from "../skeleton/match-joints";
-import type { BodyPoint, Joint, ShapeAnalysis } from "../engine/types";
+import type { BodyPart, BodyPoint, Joint, ShapeAnalysis } from "../engine/types";
+import { rolesToRecord } from "./pairing";
 import { stageFor } from "./prepare";
 import type { SolverModel } from "./prepare";
 
@@ -14,18 +14,19 @@ export interface Guess {
   points: Point[];
   /** Further places where the model may well be held. */
   more: Point[];
+  /** Roles of the points' joints that their names do not tell. */
+  roles: NonNullable<ProjectDocument["joints"]>;
 }
 
 const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "foreleg", "foot", "chest", "hips", "tail", "tip"];
 
-/** The joint that moves a point, in the plain spelling that every skeleton's names are matched with. Others follow the whole pose. */
-const JOINT: Partial<Record<BodyPoint["role"], string>> = { head: "Head", hand: "Hand", foot: "Foot", foreleg: "Foot", hips: "Hips" };
+/** The part of the human that moves a point. Others follow the whole pose. */
+const PART: Partial<Record<BodyPoint["role"], BodyPart>> = { head: "head", hand: "hand", foot: "foot", foreleg: "foot", hips: "hips" };
 
 /** Points on the model with the joints of a motion that they follow. */
 export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAnalysis, joints: readonly Joint[]): Guess {
   const mesh = { facing, up };
   const { scale } = stageFor(model, { file: "", ...mesh });
-  const find = jointFinder(joints.map((joint) => joint.name));
   const names = uniqueNames(points);
   const ids = names.map((name) => name.toLowerCase().replaceAll(" ", "-"));
   const all = points.map((point, n): Point => {
@@ -34,7 +35,7 @@ export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAna
       id: ids[n],
       name: names[n],
       position: [x, y, z],
-      joint: joints[find(jointName(point))]?.name ?? null,
+      joint: jointOf(point, joints)?.name ?? null,
       radius: Math.round((1000 * point.radius * scale) / STAGE_HEIGHT) / 1000,
       ...(point.partner >= 0 ? { mirror: ids[point.partner] } : {}),
     };
@@ -44,6 +45,7 @@ export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAna
     mesh,
     points: order.filter((n) => points[n].wanted).map((n) => all[n]),
     more: order.filter((n) => !points[n].wanted).map((n) => all[n]),
+    roles: rolesToRecord(all, joints),
   };
 }
 
@@ -56,18 +58,19 @@ export function guessProject(
   said: ShapeAnalysis,
   joints: readonly Joint[],
 ): ProjectDocument {
-  const { mesh, points } = guessPoints(model, said, joints);
-  return addPoints(points)(newDocument(name, { file, ...mesh }, { files: motion }));
+  const { mesh, points, roles } = guessPoints(model, said, joints);
+  return addPoints(points, roles)(newDocument(name, { file, ...mesh }, { files: motion }));
 }
 
 /** From head to foot, left before right. */
 const rank = ({ role, side }: BodyPoint): number => 2 * ROLES.indexOf(role) + (side === "right" ? 1 : 0);
 
 /** A body on four legs trots: a foreleg goes with the foot across. */
-function jointName({ role, side }: BodyPoint): string {
-  const joint = JOINT[role] ?? "";
-  if (role === "foreleg") return (side === "left" ? "Right" : "Left") + joint;
-  return side === null ? joint : (side === "left" ? "Left" : "Right") + joint;
+function jointOf(point: BodyPoint, joints: readonly Joint[]): Joint | undefined {
+  const part = PART[point.role];
+  const across = point.side === "left" ? "right" : "left";
+  const side = point.role === "foreleg" ? across : point.side;
+  return part && joints.find((joint) => joint.part === part && joint.side === side);
 }
 
 /** "Left hand", "Tip", "Tip 2" */

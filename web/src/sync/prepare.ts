@@ -1,12 +1,12 @@
-// From what the user said to what the engine is asked, and back: units, axes, nearest vertices, joints by name. Pure.
+// From what the user said to what the engine is asked, and back: units, axes, nearest vertices. Pure.
 
 import { clipOf } from "../document/clips";
 import { boundsOf, fromStage, pointToStage, stageOf, toStage } from "../document/stage";
 import type { Stage } from "../document/stage";
 import type { Clip, Example, MeshRef, Pin, Point, ProjectDocument, Vec3 } from "../document/types";
-import { isSameJoint, jointFinder } from "../skeleton/match-joints";
+import type { ConstraintInput, ContactInput, ControlInput, MeshInput, Motion, RetargetInput } from "../engine/types";
 import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
-import type { ConstraintInput, ContactInput, ControlInput, Joint, MeshInput, Motion, RetargetInput } from "../engine/types";
+import { exampleJoints, pointJoints } from "./pairing";
 
 /** What of a model the solver knows; file units and axes. */
 export interface SolverModel {
@@ -78,19 +78,16 @@ export function pointsOfControls(
   return Object.fromEntries(document.points.map(({ id }, c) => [id, [places[3 * c], places[3 * c + 1], places[3 * c + 2]] as const]));
 }
 
-/** J x 3 body-local joints by name: what an example holds. */
-export function jointsOfPose(joints: readonly Joint[], pose: ArrayLike<number>): Record<string, Vec3> {
-  return Object.fromEntries(joints.map(({ name }, j) => [name, [pose[3 * j], pose[3 * j + 1], pose[3 * j + 2]] as const]));
-}
-
 export function retargetInput(model: SolverModel, document: ProjectDocument, motion: Pick<Motion, "joints" | "frames">): RetargetInput {
   const { smoothness, volume, groundContact, inPlace, symmetry } = document.settings;
   const clip = clipOf(document);
+  const known = exampleJoints(document, motion);
   return {
     pairs: pointJoints(document, motion),
-    examples: document.examples
-      .filter((example) => knows(example, motion))
-      .map((example) => ({ joints: exampleJoints(example, motion), controls: exampleControls(model, document, example) })),
+    examples: document.examples.flatMap((example, n) => {
+      const joints = known[n];
+      return joints ? [{ joints, controls: exampleControls(model, document, example) }] : [];
+    }),
     smoothness,
     volume,
     groundContact,
@@ -100,12 +97,6 @@ export function retargetInput(model: SolverModel, document: ProjectDocument, mot
     flights: clip.flights ? within(clip.flights, motion.frames - 1) : null,
     mirror: symmetry ? pointPartners(document.points) : null,
   };
-}
-
-/** C: the joint of each point in the motion, or -1. */
-export function pointJoints(document: ProjectDocument, motion: Pick<Motion, "joints">): Int32Array {
-  const find = jointFinder(motion.joints.map((joint) => joint.name));
-  return Int32Array.from(document.points, ({ joint }) => (joint === null ? -1 : find(joint, jointsSaid(document))));
 }
 
 /** C: each point's partner, itself in the middle, -1 without one; null if no point has any. */
@@ -135,50 +126,6 @@ function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts =
 /** Runs as far as they lie in a clip whose last frame may be `end`. */
 function within(runs: readonly (readonly [number, number])[], end: number): [number, number][] {
   return runs.map(([a, b]): [number, number] => [a, Math.min(b, end)]).filter(([a, b]) => a < b);
-}
-
-/** What the motion's skeleton cannot do for this document, in plain words. */
-export function pairingNotes(document: ProjectDocument, motion: Pick<Motion, "joints">): string[] {
-  const find = jointFinder(motion.joints.map((joint) => joint.name));
-  const name = document.motion.files.at(-1) ?? "This motion";
-  return [
-    ...document.points.flatMap(({ name: point, joint }) =>
-      joint === null ? [] : pairingNote(name, point, joint, motion.joints[find(joint, jointsSaid(document))]?.name),
-    ),
-    ...document.examples.flatMap((example, n) =>
-      knows(example, motion) ? [] : [`Pose ${n + 1} was made on another skeleton, and ${name} has none of its joints: it is left out.`],
-    ),
-  ];
-}
-
-function pairingNote(motion: string, point: string, joint: string, found: string | undefined): string[] {
-  if (found === undefined) return [`${motion} has no joint "${joint}": "${point}" follows the whole pose.`];
-  return isSameJoint(joint, found) ? [] : [`${motion} has no joint "${joint}": "${point}" follows "${found}".`];
-}
-
-/** Every joint's name that the document says: what one of them means may depend on the others. */
-function jointsSaid({ points, examples }: ProjectDocument): string[] {
-  return [...points.flatMap(({ joint }) => joint ?? []), ...Object.keys(examples[0]?.joints ?? {})];
-}
-
-/** J x 3: the example's joints in the motion's order; NaN where it has none of that name. */
-function exampleJoints(example: Example, motion: Pick<Motion, "joints">): Float32Array {
-  const names = Object.keys(example.joints);
-  const find = jointFinder(names);
-  const out = new Float32Array(3 * motion.joints.length).fill(NaN);
-  motion.joints.forEach((joint, j) => {
-    const n = find(
-      joint.name,
-      motion.joints.map(({ name }) => name),
-    );
-    if (n >= 0) out.set(example.joints[names[n]], 3 * j);
-  });
-  return out;
-}
-
-function knows(example: Example, motion: Pick<Motion, "joints">): boolean {
-  const find = jointFinder(Object.keys(example.joints));
-  return motion.joints.some((joint) => find(joint.name) >= 0);
 }
 
 function nearestVertex(positions: Float32Array, [x, y, z]: Vec3, taken: ReadonlySet<number>): number {

@@ -37,16 +37,6 @@ export function stem(path: string): string {
   return path.replace(/^.*\//, "").replace(/\.[^.]+$/, "");
 }
 
-/** "left_hand", "LeftHand", "lhand" are for files; people read "Left hand". */
-export function jointName(name: string): string {
-  const spaced = name
-    .replace(/[_.:-]+/g, " ")
-    .replace(/([a-z])([A-Z])/g, "$1 $2")
-    .trim()
-    .toLowerCase();
-  return spaced.charAt(0).toUpperCase() + spaced.slice(1);
-}
-
 /** "a dinosaur", "an egg" */
 export function withArticle(noun: string): string {
   return `${/^[aeiou]/i.test(noun) ? "an" : "a"} ${noun}`;

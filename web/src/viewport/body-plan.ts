@@ -1,7 +1,7 @@
-// Which bones a mannequin draws, found from joint names and parents; knows no pose. Works on any tree: what it cannot name
-// it draws as plain capsules.
+// Which bones a mannequin draws, found from the parts of the body and the tree; knows no pose. Works on any tree: what has no
+// part it draws as plain capsules.
 
-import { isClutter, isEndSite, readJointName, type Side } from "../skeleton/joint-names";
+import type { BodyPart, JointName, Side } from "../skeleton/joint-names";
 import type { DrawnHuman } from "./types";
 
 export interface Bone {
@@ -24,31 +24,32 @@ export interface BodyPlan {
   bones: Bone[];
   /** Joints that can be seen and picked. */
   joints: number[];
-  /** The joint called head; -1 where nothing is. */
+  /** -1 where no joint is known to be it. */
   head: number;
   /** Its end, if the file has one, else -1. */
   headTop: number;
-  /** Null where hips or shoulders have no names we know. */
+  /** Null where hips or shoulders are not known. */
   torso: Torso | null;
 }
 
 const RADIUS = 0.05;
+const THIN: readonly (BodyPart | null)[] = ["hand", "finger", "toe", "tip", "end"];
 
-export function buildBodyPlan({ names, parents }: DrawnHuman): BodyPlan {
-  const hidden = names.map(() => false);
-  names.forEach((name, j) => {
+export function buildBodyPlan({ joints: known, parents }: DrawnHuman): BodyPlan {
+  const hidden = known.map(() => false);
+  known.forEach((joint, j) => {
     const parent = parents[j] ?? -1;
-    const end = isEndSite(name) && !/toe|foot|head|ball|hand/i.test(name + (names[parent] ?? ""));
-    hidden[j] = isClutter(name) || end || (parent >= 0 && hidden[parent]!);
+    const clutter = joint.part === "finger" ? j !== palm(parent, known, parents) : joint.part === "end" && known[parent]?.part !== "hand";
+    hidden[j] = clutter || (parent >= 0 && hidden[parent]!);
   });
-  const head = findHead(names);
+  const head = known.findIndex(({ part }) => part === "head");
   const headTop = head < 0 ? -1 : parents.indexOf(head);
   if (headTop >= 0) hidden[headTop] = true;
-  const torso = findTorso(names, parents, head);
-  const joints = names.map((_, j) => j).filter((j) => !hidden[j]);
+  const torso = findTorso(known, parents, head);
+  const joints = known.map((_, j) => j).filter((j) => !hidden[j]);
   const bones = joints
     .filter((j) => (parents[j] ?? -1) >= 0 && j !== head)
-    .map((j) => ({ from: parents[j]!, to: j, radius: /toe|fingers|hand/.test(readJointName(names[j]!).base) ? 0.8 * RADIUS : RADIUS }));
+    .map((j) => ({ from: parents[j]!, to: j, radius: THIN.includes(known[j]!.part) ? 0.8 * RADIUS : RADIUS }));
   if (head >= 0 && (parents[head] ?? -1) >= 0) bones.push({ from: parents[head]!, to: head, radius: 0.9 * RADIUS });
   return { bones, joints, head, headTop, torso };
 }
@@ -62,29 +63,21 @@ export function highestLeaf({ parents }: DrawnHuman, joints: readonly number[], 
   return best;
 }
 
-function findHead(names: string[]): number {
-  const exact = names.findIndex((name) => readJointName(name).base === "head");
-  return exact >= 0 ? exact : names.findIndex((name) => /head$/.test(readJointName(name).base));
+/** The finger that stands for all of a hand: they are too many and too small to draw or to pick; -1 where the hand goes on. */
+function palm(hand: number, known: readonly JointName[], parents: Int32Array): number {
+  const children = known.map((_, j) => j).filter((j) => parents[j] === hand);
+  if (known[hand]?.part !== "hand" || children.some((j) => known[j]!.part === "hand")) return -1;
+  const fingers = children.filter((j) => known[j]!.part === "finger");
+  return fingers.find((j) => /\bmid/i.test(known[j]!.label)) ?? fingers[Math.floor(fingers.length / 2)] ?? -1;
 }
 
-function findTorso(names: string[], parents: Int32Array, head: number): Torso | null {
-  const find = (side: Side, ...bases: string[]): number => {
-    for (const base of bases) {
-      const joint = names.findIndex((name) => {
-        const read = readJointName(name);
-        return read.side === side && read.base === base;
-      });
-      if (joint >= 0) return joint;
-    }
-    return -1;
-  };
-  const hips = ["upleg", "upperleg", "thigh", "hip", "hipjoint"];
-  const shoulders = ["uparm", "upperarm", "arm", "clavicle", "shoulder"]; // Mixamo's "shoulder" is the collar, but then it has an "arm"
+function findTorso(known: readonly JointName[], parents: Int32Array, head: number): Torso | null {
+  const find = (side: Side, part: BodyPart): number => known.findIndex((joint) => joint.side === side && joint.part === part);
   const torso = {
-    leftHip: find("left", ...hips),
-    rightHip: find("right", ...hips),
-    leftShoulder: find("left", ...shoulders),
-    rightShoulder: find("right", ...shoulders),
+    leftHip: find("left", "upper_leg"),
+    rightHip: find("right", "upper_leg"),
+    leftShoulder: find("left", "upper_arm"),
+    rightShoulder: find("right", "upper_arm"),
   };
   if (Object.values(torso).some((j) => j < 0)) return null;
   const spine = commonSpine(parents, torso.leftHip, torso.leftShoulder, head < 0 ? torso.rightShoulder : head);

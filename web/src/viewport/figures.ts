@@ -1,7 +1,6 @@
 // Who stands on the stage: the model, its ghost and the human, each drawn from the newest positions it was given.
 
 import type { Vector3 } from "three";
-import { jointLabel } from "../skeleton/joint-names";
 import { Mannequin } from "./mannequin";
 import { ModelFigure } from "./model-figure";
 import { HUMAN_WIDTH, type Stage } from "./stage";
@@ -128,7 +127,7 @@ export class Figures {
   }
 
   jointLabel(joint: number): string {
-    return jointLabel(this.human?.names[joint] ?? "joint");
+    return this.human?.joints[joint]?.label ?? "Joint";
   }
 
   private makePicker(): void {

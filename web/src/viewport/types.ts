@@ -1,5 +1,7 @@
 // What the viewport draws and what it reports. It never solves.
 
+import type { JointName } from "../skeleton/joint-names";
+
 /** A model as drawn: render vertices keep seams, normals and colours; each knows its solver vertex. */
 export interface DrawnModel {
   /** R x 3, rest, stage metres. */
@@ -19,7 +21,7 @@ export interface DrawnModel {
 }
 
 export interface DrawnHuman {
-  names: string[];
+  joints: readonly JointName[];
   parents: Int32Array;
 }
 

@@ -64,6 +64,7 @@ it("the page's track has exactly the fields that are written", async () => {
       yaw: new Float32Array(2),
       source: { frames: 8, fps: 120, metresPerUnit: 1 },
       notes: [],
+      told: true,
     },
     performance: {
       frames: 2,

@@ -19,6 +19,7 @@ const project: ProjectDocument = {
     { id: "e1", source: { motion: "02_01.amc", frame: 12 }, joints: { root: [0, 0, 0], lhand: [1, 2, 3] }, points: { p1: [1, 1, 1] } },
     { id: "e2", source: { motion: "02_01.amc", frame: 40 }, joints: { root: [0, 0, 0] }, points: {} },
   ],
+  joints: { lhand: "left hand", root: "hips" },
   clips: {
     "02_01.amc": {
       pins: [
@@ -89,6 +90,13 @@ describe("project files", () => {
     ["points[1].position should be three numbers, but it is null.", ["points", 1, "position"], null],
     ["points[0].joint should be a text or null, but it is 3.", ["points", 0, "joint"], 3],
     ["points[0].joint is missing.", ["points", 0, "joint"], undefined],
+    [
+      "joints.root should be hips, spine, chest, neck, head, left shoulder, left upper arm, left lower arm, left hand, left upper leg, " +
+        "left lower leg, left foot, left toe, left tip, right shoulder, right upper arm, right lower arm, right hand, right upper leg, " +
+        'right lower leg, right foot, right toe or right tip, but it is "paw".',
+      ["joints", "root"],
+      "paw",
+    ],
     ['points[0].id should be a text that is not empty, but it is "".', ["points", 0, "id"], ""],
     ['points[1].id is "p1", which another point has already.', ["points", 1, "id"], "p1"],
     ['examples[1].id is "e1", which another example has already.', ["examples", 1, "id"], "e1"],
@@ -192,6 +200,8 @@ describe("the schema", () => {
       ["examples", 0, "source", "frame"],
       ["examples", 0, "joints"],
       ["examples", 0, "joints", "root"],
+      ["joints"],
+      ["joints", "root"],
       ["settings"],
       ["settings", "inPlace"],
     ];

@@ -9,6 +9,7 @@ import {
   pairPoint,
   removeExample,
   removePoint,
+  replaceExample,
   renamePoint,
   renameProject,
   setMesh,
@@ -30,7 +31,8 @@ const steps: Command[] = [
   renameProject("bean 2"),
   turnMesh("-x", "+z"),
   renamePoint("p1", "crown"),
-  pairPoint("p2", "lhand"),
+  pairPoint("p2", "joint_4", { joint_4: "left hand", joint_5: "right hand" }),
+  replaceExample({ ...start.examples[0], joints: { joint_9: [0, 0, 0] } }, { joint_9: "hips" }),
   addPoint({ id: "p3", name: "foot", position: [0, 0, 0], joint: null }),
   setSettings({ volume: 2.5 }),
   pairMirror("p1", "p2"),
@@ -59,6 +61,17 @@ it("undo as often as there were steps gives the start, redo the end, exactly", (
   }
   expect(store.canRedo).toBe(false);
   expect(seen).toEqual(snapshots); // no command wrote into a document
+});
+
+it("roles are kept of the joints that are named, and go with them", () => {
+  const paired = pairPoint("p2", "joint_4", { joint_4: "left hand", joint_5: "right hand" })(start);
+  expect(paired.joints).toEqual({ joint_4: "left hand" });
+  expect(pairPoint("p2", "joint_4", { joint_4: "left hand" })(paired)).toBe(paired);
+  const pose = { ...start.examples[0], id: "e2", joints: { joint_5: [0, 0, 0], joint_6: [1, 0, 0] } } as const;
+  expect(addExample(pose, { joint_5: "right hand" })(paired).joints).toEqual({ joint_4: "left hand", joint_5: "right hand" });
+  expect(pairPoint("p2", null)(paired)).not.toHaveProperty("joints");
+  expect(setMesh({ file: "cow.obj", facing: "+z", up: "+y" })(paired)).not.toHaveProperty("joints");
+  expect(pairPoint("p2", "lhand")(start)).not.toHaveProperty("joints");
 });
 
 it("documents share what did not change", () => {

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 
 import type { BodyPoint, ShapeAnalysis } from "../../src/engine/types";
 import { guessPoints, guessProject } from "../../src/sync/guess";
+import { namedJoints, numberedJoints } from "../support/joints";
 
 const MODEL = {
   positions: Float32Array.from({ length: 24 }, (_, i) => [0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 1][i % 12]),
@@ -33,13 +34,11 @@ const SAID: ShapeAnalysis = {
   ],
 };
 
-const joints = (...names: string[]) => names.map((name) => ({ name, parent: -1 }));
-
 describe("guessing points", () => {
   it("pairs by role, whatever the skeleton calls its joints; forelegs go with the foot across", () => {
-    const pairs = (...names: string[]) => guessPoints(MODEL, SAID, joints(...names)).points.map((p) => p.joint);
+    const pairs = (...names: string[]) => guessPoints(MODEL, SAID, namedJoints(...names)).points.map((p) => p.joint);
     expect(pairs("Hips", "LeftFoot", "RightFoot", "Head")).toEqual(["Head", "RightFoot", "LeftFoot", "RightFoot", null]);
-    expect(pairs("root", "lfoot", "rfoot", "head")).toEqual(["head", "rfoot", "lfoot", "rfoot", null]);
+    expect(pairs("root", "lfemur", "ltibia", "lfoot", "rtibia", "rfoot", "head")).toEqual(["head", "rtibia", "ltibia", "rtibia", null]);
     expect(pairs("mixamorig:LeftFoot", "mixamorig:RightFoot")).toEqual([
       null,
       "mixamorig:RightFoot",
@@ -68,12 +67,13 @@ describe("guessing points", () => {
   });
 
   it("makes a whole project", () => {
-    expect(guessProject("Cow", "cow.obj", ["a.bvh"], MODEL, SAID, joints("Head"))).toMatchObject({
+    expect(guessProject("Cow", "cow.obj", ["a.bvh"], MODEL, SAID, numberedJoints("joint_", "hips", "head"))).toMatchObject({
       name: "Cow",
       mesh: { file: "cow.obj", up: "+y", facing: "-x" },
       motion: { files: ["a.bvh"] },
-      points: { length: 5 },
+      points: { length: 5, 0: { name: "Head", joint: "joint_1" } },
       examples: [],
+      joints: { joint_1: "head" },
     });
   });
 });

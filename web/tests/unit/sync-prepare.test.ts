@@ -7,22 +7,17 @@ import { readModel } from "../../src/io/read-model";
 import {
   controlInputs,
   exampleControls,
-  jointsOfPose,
   meshInput,
-  pairingNotes,
   pointsOfControls,
   pointVertices,
   restControls,
   retargetInput,
   stageFor,
 } from "../../src/sync/prepare";
+import { namedJoints } from "../support/joints";
 import { TETRAHEDRON, textFile } from "../support/files";
 
-const joints = [
-  ["root", -1],
-  ["lfoot", 0],
-  ["head", 0],
-].map(([name, parent]) => ({ name: String(name), parent: Number(parent) }));
+const joints = namedJoints("root", "lfoot", "head");
 
 const document: ProjectDocument = [
   addPoint({ id: "a", name: "top", position: [0.1, 0.9, 0], joint: "head" }),
@@ -63,30 +58,11 @@ describe("what the engine is asked", async () => {
     expect(a).not.toBe(b);
   });
 
-  it("joints by exact name, then by plain spelling; what is unknown follows the whole pose and is told", () => {
+  it("pairs by role, and the settings", () => {
     const input = retargetInput(model, document, { joints, frames: 60 });
     expect([...input.pairs]).toEqual([2, 1, -1, -1]);
-    expect(pairingNotes(document, { joints })).toEqual([
-      'm.amc has no joint "dorsal": "fin" follows the whole pose.',
-      "Pose 2 was made on another skeleton, and m.amc has none of its joints: it is left out.",
-    ]);
     const { symmetry: _, ...settings } = document.settings;
     expect(input).toMatchObject(settings);
-  });
-
-  it("joints on another skeleton by their part of the body, which is told", () => {
-    const there = ["Hips", "LeftUpLeg", "LeftLeg", "LeftFoot"].map((name, j) => ({ name, parent: j - 1 }));
-    const said = {
-      ...document,
-      points: [{ ...document.points[0], joint: "lfemur" }],
-      examples: [
-        { id: "1", source: { motion: "m", frame: 0 }, joints: { root: [0, 0, 0], lfemur: [1, 2, 3], ltibia: [4, 5, 6] }, points: {} },
-      ],
-    } as unknown as ProjectDocument;
-    const input = retargetInput(model, said, { joints: there, frames: 60 });
-    expect([...input.pairs]).toEqual([2]);
-    expect([...input.examples[0].joints]).toEqual([0, 0, 0, NaN, NaN, NaN, 1, 2, 3, 4, 5, 6]);
-    expect(pairingNotes(said, { joints: there })).toEqual(['m.amc has no joint "lfemur": "top" follows "LeftLeg".']);
   });
 
   it("pins on the stage, contacts and flights as far as the clip goes, partners that agree with each other", () => {
@@ -156,10 +132,9 @@ describe("what the engine is asked", async () => {
     expect(pointFromStage(stage, [x, y, z])).toEqual([0, 2, 0].map((v) => expect.closeTo(v, 5)));
   });
 
-  it("and back: controls and poses as an example holds them", () => {
+  it("and back: controls as an example holds them", () => {
     const points = { a: [0.5, 2, 1], b: [3, 0, 0.25], c: [0, 0, 0], d: [0, -1, 1] } as const;
     const back = pointsOfControls(model, document, exampleControls(model, document, { points }));
     for (const [id, place] of Object.entries(points)) expect(back[id]).toEqual(place.map((x) => expect.closeTo(x, 5)));
-    expect(jointsOfPose(joints, [1, 2, 3, 4, 5, 6, 7, 8, 9])).toEqual({ root: [1, 2, 3], lfoot: [4, 5, 6], head: [7, 8, 9] });
   });
 });

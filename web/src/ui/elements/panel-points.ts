@@ -1,10 +1,12 @@
 import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { Point } from "../../document/types";
+import type { JointName } from "../../skeleton/joint-names";
+import { describeJoints } from "../../skeleton/pair-joints";
+import { pointJoints } from "../../sync/pairing";
 import { SessionElement } from "../element";
 import { badge } from "../point-colors";
 import { base, panel } from "../styles";
-import { jointName } from "../../util/words";
 
 /** The keyboard twin of the dots: every point is a button here. */
 @customElement("rigless-panel-points")
@@ -14,11 +16,14 @@ export class PointsPanel extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const { points } = session.document;
+    const { document, motion } = session;
+    const { points } = document;
+    const joints = motion ? describeJoints(motion.joints) : [];
+    const drivers = motion ? pointJoints(document, motion) : [];
     return html`<section class="panel" aria-label="Points">
       <h2>Points <button class="btn line" aria-pressed=${session.pairing.adding} @click=${() => session.pairing.toggleAdd()}>${session.pairing.adding ? "Done" : "Add"}</button></h2>
       ${points.length === 0 ? html`<p class="note">Click a place on the model, then the joint that moves it.</p>` : nothing}
-      <ul>${points.map((point, k) => this.renderPoint(point, k + 1))}</ul>
+      <ul>${points.map((point, k) => this.renderPoint(point, k + 1, joints, drivers[k] ?? -1))}</ul>
       ${this.renderPlaces()}
       ${points.length > 0 ? html`<p class="keys"><span><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> move 1 cm</span><span><kbd>Shift</kbd> finer</span></p>` : nothing}
     </section>`;
@@ -32,26 +37,27 @@ export class PointsPanel extends SessionElement {
     )}</div>`;
   }
 
-  private renderPoint(point: Point, number: number) {
+  /** `driver`: the joint that moves it, -1 where the whole pose does. */
+  private renderPoint(point: Point, number: number, joints: readonly JointName[], driver: number) {
     const { session } = this;
+    const unpaired = point.joint === null ? "not paired" : "not in this motion";
     const on = session.selected === point.id;
     return html`<li>
       <button class="item" aria-pressed=${on} @click=${() => session.select(on ? null : point.id)} @keydown=${(event: KeyboardEvent) => session.dragging.key(point.id, event)}>
-        ${badge(number, { weak: point.joint === null })}<span>${point.name}</span><small>${point.joint ? jointName(point.joint) : "not paired"}</small></button>
-      ${on ? this.renderDetails(point) : nothing}
+        ${badge(number, { weak: point.joint === null })}<span>${point.name}</span><small>${joints[driver]?.label ?? unpaired}</small></button>
+      ${on ? this.renderDetails(point, joints, driver) : nothing}
     </li>`;
   }
 
-  private renderDetails(point: Point) {
+  private renderDetails(point: Point, joints: readonly JointName[], driver: number) {
     const { session } = this;
-    const joints = session.motion?.joints ?? [];
     return html`<div class="more">
       <label class="pair">Name <input .value=${point.name} autocomplete="off" spellcheck="false" @change=${(event: Event) =>
         session.points.rename(point.id, (event.target as HTMLInputElement).value)} /></label>
       <label class="pair">Moved by <select @change=${(event: Event) =>
         session.points.pair(point.id, (event.target as HTMLSelectElement).value || null)}>
-        <option value="" ?selected=${point.joint === null}>the whole pose</option>
-        ${joints.map((joint) => html`<option value=${joint.name} ?selected=${joint.name === point.joint}>${jointName(joint.name)}</option>`)}
+        <option value="" ?selected=${driver < 0}>the whole pose</option>
+        ${joints.map(({ label }, j) => html`<option value=${session.motion?.joints[j]?.name} ?selected=${j === driver}>${label}</option>`)}
       </select></label>
       <label class="pair">Mirrors <select @change=${(event: Event) =>
         session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>

@@ -1,0 +1,157 @@
+// The words for the parts of a body. The twin of include/rigless/motion/detail/name_senses.h, which has the same words.
+
+/**
+ * What a word means before the other names are looked at. Bones of the Acclaim vocabulary and words that mean one thing here
+ * and another there have a sense of their own.
+ */
+export type NameSense =
+  | "none"
+  | "hips"
+  | "hip" // hips, or with a side the top of the thigh
+  | "root" // hips if nothing else is
+  | "spine"
+  | "upper_back"
+  | "chest"
+  | "neck"
+  | "head"
+  | "nose" // head if nothing else is
+  | "collar"
+  | "shoulder"
+  | "upper_arm"
+  | "humerus"
+  | "arm"
+  | "lower_arm"
+  | "radius"
+  | "hand"
+  | "finger"
+  | "upper_leg"
+  | "femur"
+  | "hip_joint"
+  | "leg"
+  | "lower_leg"
+  | "tibia"
+  | "ankle"
+  | "foot"
+  | "toe"
+  | "big_toe" // toe if nothing else is
+  | "helper"; // moves with a part, but is none
+
+const words = (text: string): ReadonlySet<string> => new Set(text.trim().split(/\s+/));
+
+/** In small letters, without accents and inner spaces. */
+export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlySet<string>])[] = [
+  [
+    "hips",
+    words(`
+      hips pelvis hipcenter hipscenter centerhip midhip spinebase lowertorso torsolower lowerbody becken bassin bacino bacia
+      таз 骨盆 骨盤 臀部 下半身 腰 センター 골반 엉덩이
+    `),
+  ],
+  ["hip", words("hip hufte hanche hanches cadera caderas anca")],
+  ["root", words("root center centre cog com centerofmass centerofgravity")],
+  [
+    "spine",
+    words(`
+      spine back lowerback torso abdomen abdomenlower abdomenupper lowerabdomen upperabdomen waist belly stomach lumbar
+      spinemid midspine spinelower spineupper spinenavel spinenaval spinetwist l1 l2 l3 l4 l5 t9 t10 t11 t12 wirbelsaule
+      ruckgrat rucken bauch colonne colonnevertebrale dos ventre columna espina espalda colonna coluna позвоночник спина живот
+      上半身 脊椎 脊柱 背骨 腰部 腰椎 척추 허리
+    `),
+  ],
+  ["upper_back", words("upperback backupper")],
+  [
+    "chest",
+    words(`
+      chest upperchest chestupper chestlower lowerchest thorax ribcage ribs uppertorso torsoupper spineshoulder spinechest
+      shouldercenter centershoulder sternum t1 t2 t3 t4 t5 t6 t7 t8 brust brustkorb poitrine torse pecho torax petto torace
+      peito грудь 胸 胸部 胸腔 가슴
+    `),
+  ],
+  [
+    "neck",
+    words(`
+      neck lowerneck upperneck necklower neckupper neckbase necktwist hals nacken cou cuello collo pescoco шея 首 颈 颈部 頸
+      脖子 목
+    `),
+  ],
+  ["head", words("head kopf tete cabeza testa cabeca голова 頭 头 头部 머리")],
+  ["nose", words("nose skull")],
+  [
+    "collar",
+    words(`
+      collar collarbone clavicle clav clavicula scapula shoulderblade schlusselbein schluesselbein clavicule clavicola ключица
+      лопатка 肩 锁骨 鎖骨 쇄골
+    `),
+  ],
+  ["shoulder", words("shoulder shoulders schulter epaule hombro spalla ombro 肩膀 어깨")],
+  ["upper_arm", words("upperarm armupper uparm uarm shldr oberarm bras brazo braccio braco плечо 腕 上臂 上腕 大臂 위팔 상완")],
+  ["humerus", words("humerus")],
+  ["arm", words("arm рука 팔")],
+  [
+    "lower_arm",
+    words(`
+      forearm lowerarm armlower lowarm loarm elbow ulna unterarm ellbogen ellenbogen avantbras coude antebrazo codo
+      avambraccio gomito antebraco cotovelo предплечье локоть ひじ 肘 前臂 小臂 前腕 手肘 아래팔 전완 팔꿈치
+    `),
+  ],
+  ["radius", words("radius")],
+  ["hand", words("hand wrist handgelenk main poignet mano muneca polso mao pulso кисть запястье 手首 手 手腕 手部 손 손목")],
+  [
+    "finger",
+    words(`
+      finger fingers thumb index ring pinky pinkie little metacarpal metacarpals carpal carpals palm knuckle knuckles daumen
+      doigt doigts pouce dedo pulgar dito палец пальцы 손가락
+    `),
+  ],
+  ["upper_leg", words("upleg upperleg legupper uleg thigh oberschenkel cuisse muslo coscia coxa бедро 大腿 太もも もも 股関節 허벅지")],
+  ["femur", words("femur")],
+  ["hip_joint", words("hipjoint")],
+  ["leg", words("leg bein jambe pierna gamba perna нога 足 다리")],
+  [
+    "lower_leg",
+    words(`
+      knee shin calf lowleg lowerleg leglower loleg shank unterschenkel knie wade genou mollet rodilla pantorrilla espinilla
+      ginocchio polpaccio joelho canela голень колено ひざ 膝 すね 脛 小腿 膝盖 종아리 무릎 정강이
+    `),
+  ],
+  ["tibia", words("tibia")],
+  ["ankle", words("ankle knochel fussgelenk cheville tobillo caviglia tornozelo щиколотка лодыжка 足首 足踝 脚踝 脚腕 발목")],
+  ["foot", words("foot feet fuss pied pie piede pe стопа ступня 脚 足部 발")],
+  [
+    "toe",
+    words(`
+      toe toes toebase ball toeball football ballfoot footindex foottoe zehe zehen orteil orteils dedospie dedosdelpie punta
+      носок つま先 足先 脚趾 脚尖 足尖 발가락 발끝
+    `),
+  ],
+  ["big_toe", words("bigtoe toebig hallux")],
+  [
+    "helper",
+    words(`
+      ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair breast socket
+      dummy
+    `),
+  ],
+];
+
+/** Say nothing of the part, wherever they stand. */
+export const NOISE_WORDS: ReadonlySet<string> = words(`
+  joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig armature character char j b c m x bend
+  stretch deform skeleton
+`);
+export const END_WORDS: ReadonlySet<string> = words("end nub site endsite tip top eff effector leaf");
+export const LEFT_WORDS: ReadonlySet<string> = words(`
+  l left lt lft links linke linker linkes gauche izq izquierda izquierdo esquerda esquerdo sinistra sinistro sx левая
+  левое левый лев 左 왼쪽 왼
+`);
+export const RIGHT_WORDS: ReadonlySet<string> = words(`
+  r right rt rgt rechts rechte rechter rechtes droite droit der derecha derecho direita direito destra destro dx правая
+  правое правый прав 右 오른쪽 오른
+`);
+
+/** By the whole word. */
+export function senseOf(word: string): NameSense {
+  return SENSE.get(word) ?? "none";
+}
+
+const SENSE = new Map(SENSE_WORDS.flatMap(([sense, all]) => [...all].map((word) => [word, sense] as const)).reverse());
