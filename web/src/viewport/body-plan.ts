@@ -2,7 +2,7 @@
 // it draws as plain capsules.
 
 import { isClutter, isEndSite, readJointName, type Side } from "../skeleton/joint-names";
-import type { DrawnHuman } from "./types";
+import type { DrawnHuman } from "../stage/port";
 
 export interface Bone {
   from: number;

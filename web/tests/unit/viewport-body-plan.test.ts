@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { buildBodyPlan, highestLeaf, type BodyPlan } from "../../src/viewport/body-plan";
 import { jointLabel } from "../../src/skeleton/joint-names";
-import type { DrawnHuman } from "../../src/viewport/types";
+import type { DrawnHuman } from "../../src/stage/port";
 
 /** "parent>child>grandchild" chains; a joint is named once before others hang from it. */
 function skeleton(...chains: string[]): DrawnHuman {
