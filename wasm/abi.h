@@ -29,6 +29,8 @@ using CoreError = rigless::Error;
 using LengthUnit = rigless::LengthUnit;
 using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
+using BodyPart = rigless::BodyPart;
+using BodySide = rigless::BodySide;
 
 // Constants that both sides know.
 inline constexpr double fps = rigless::performance_fps;            // of every performance
@@ -87,6 +89,13 @@ struct MotionInfo {
   Number source_frames;
   Number source_fps;
   Number metres_per_unit;  // of the file
+  Flag told;               // which joints are its feet and its head or hands
+};
+
+// What a joint is; no place of a body has two.
+struct JointPlace {
+  NameOf<BodySide> side;
+  NameOf<BodyPart> part;
 };
 
 // What a parser worked around (rigless::ParseNotes), and what was guessed of the file.

@@ -94,7 +94,8 @@ function checkSize(out: string, vertices: number, frames: number, every: number)
   let k = every;
   while (k < frames && bytes(k) > MOST_BYTES) k++;
   throw new FileError(
-    `${out} would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a GLB can: --every ${k} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`,
+    `${out} would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a GLB can: ` +
+      `--every ${k} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`,
   );
 }
 
@@ -185,10 +186,12 @@ async function guessed(paths: readonly string[], engine: Engine, progress: Progr
   const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motion.files, model, said, joints);
   const { up, facing } = document.mesh;
   progress.note(
-    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
+    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ` +
+      `${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
   );
   progress.note(
-    `guessed ${count(document.points.length, "point")}: ${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
+    `guessed ${count(document.points.length, "point")}: ` +
+      `${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
   );
   return { document, model, motion: motion.input };
 }
@@ -218,11 +221,13 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
       await outputs.add(command.out, glb);
       const targets = keptFrames(baked.frames.length, command.every).length;
       progress.done(
-        `${command.out}: ${count(targets, "morph target")}, ${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
+        `${command.out}: ${count(targets, "morph target")}, ` +
+          `${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
       );
       if (targets > MOST_TARGETS) {
         progress.note(
-          `Some viewers draw at most ${MOST_TARGETS} morph targets: --every ${Math.ceil(baked.frames.length / (MOST_TARGETS - 1))} stays below.`,
+          `Some viewers draw at most ${MOST_TARGETS} morph targets: ` +
+            `--every ${Math.ceil(baked.frames.length / (MOST_TARGETS - 1))} stays below.`,
         );
       }
     }

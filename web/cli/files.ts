@@ -37,7 +37,8 @@ export async function loadModelAndMotion(paths: readonly string[]): Promise<{ mo
     return { modelFiles: [models[0], ...beside.flat()], motion: motions[0] };
   throw new FileError(
     problems[0] ??
-      `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} there are ${models.length} and ${motions.length}.`,
+      `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} ` +
+        `there are ${models.length} and ${motions.length}.`,
   );
 }
 

@@ -1,1 +1,11 @@
-import "./ui/app";
+// Puts everything together: the app with the ports of a page, the elements that show it, and the stage.
+
+import { Session } from "./app/session";
+import { ports } from "./page/ports";
+import { App } from "./ui/app";
+import { Viewport } from "./viewport/viewport";
+
+const app = new App();
+app.session = new Session(ports);
+app.buildStage = (host) => new Viewport(host);
+document.body.prepend(app);

@@ -2,7 +2,7 @@
 
 import { readModel } from "../../src/io/read-model";
 import { Viewport } from "../../src/viewport/viewport";
-import type { PointMark, DrawnModel } from "../../src/viewport/types";
+import type { PointMark, DrawnModel } from "../../src/stage/port";
 
 interface Surfaces {
   faces: number[];

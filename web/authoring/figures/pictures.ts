@@ -2,6 +2,7 @@
 
 import type { Workspace } from "../../src/sync/workspace";
 import { Mannequin } from "../../src/viewport/mannequin";
+import { describeJoints } from "../../src/skeleton/pair-joints";
 import { solvedDance } from "./dance";
 import { drawMoments, onTheSpot, theModel } from "./moments";
 import type { Figure } from "./moments";
@@ -35,7 +36,7 @@ window.drawPicture = async ({ folder, project, motion, who }) => {
 
 function theHuman({ motion }: Workspace): Figure {
   const { joints, positions, frames } = motion!;
-  const figure = new Mannequin({ names: joints.map((joint) => joint.name), parents: Int32Array.from(joints, (joint) => joint.parent) });
+  const figure = new Mannequin({ joints: describeJoints(joints), parents: Int32Array.from(joints, (joint) => joint.parent) });
   const size = 3 * joints.length;
   return {
     group: figure.group,

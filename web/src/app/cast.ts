@@ -1,8 +1,9 @@
 import type { ProjectDocument } from "../document/types";
 import { baseName } from "../io/named-file";
 import { stem } from "../util/words";
-import type { Character } from "./builtins";
-import type { Session } from "./session";
+import type { Builtins } from "./builtins";
+import type { Context } from "./context";
+import type { Character } from "./ports";
 
 /** Someone who can dance: a character of ours, or a model that was opened. */
 export interface Performer {
@@ -16,22 +17,36 @@ export interface Performer {
 export class Cast {
   private readonly left = new Map<string, ProjectDocument>();
 
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly context: Context,
+    private readonly builtins: Builtins,
+  ) {
+    context.signals.on("document", (previous) => {
+      const { file } = previous.mesh;
+      if (file !== "" && file !== context.document.mesh.file) this.left.set(file, previous);
+    });
+  }
 
   get list(): readonly Performer[] {
-    const { builtins, document } = this.session;
+    const { builtins } = this;
     const ours = builtins.characters.map((character) => ({ file: builtins.modelFile(character), name: character.name, character }));
     const known = new Set(["", ...ours.map(({ file }) => file)]);
-    const opened = [...new Set([...this.left.keys(), document.mesh.file])].filter((file) => !known.has(file));
+    const opened = [...new Set([...this.left.keys(), this.context.document.mesh.file])].filter((file) => !known.has(file));
     return [...ours, ...opened.map((file) => ({ file, name: stem(baseName(file)), character: null }))];
   }
 
   isOnStage({ file }: Performer): boolean {
-    return file === this.session.document.mesh.file;
+    return file === this.context.document.mesh.file;
   }
 
   get present(): Performer | undefined {
     return this.list.find((performer) => this.isOnStage(performer));
+  }
+
+  /** "Cactus"; nothing while nobody is there. */
+  get presentName(): string {
+    const name = this.present?.name ?? "";
+    return name.charAt(0).toUpperCase() + name.slice(1);
   }
 
   /** The character of ours after the one on the stage, around the end. */
@@ -45,10 +60,5 @@ export class Cast {
   /** What a performer's project was when they left the stage. */
   remembered(file: string): ProjectDocument | undefined {
     return this.left.get(file);
-  }
-
-  /** Called with every document that another one replaced. */
-  remember(previous: ProjectDocument, present: ProjectDocument): void {
-    if (previous.mesh.file !== "" && previous.mesh.file !== present.mesh.file) this.left.set(previous.mesh.file, previous);
   }
 }

@@ -1,11 +1,9 @@
 import * as clips from "../document/clips";
 import type { Gesture } from "../document/store";
-import { runsOf } from "../ui/timeline-model";
-import type { Run } from "../ui/timeline-model";
-import type { Session } from "./session";
-
-/** The row of flights beside those of the points. */
-export const FLIGHTS = "flights";
+import type { Context } from "./context";
+import { runsOf } from "./runs";
+import type { Run } from "./runs";
+import { FLIGHTS } from "./selection";
 
 export interface ContactRow {
   /** A point's id, or FLIGHTS. */
@@ -20,11 +18,11 @@ export interface ContactRow {
 
 /** Who stands on the ground when, and when nobody does: from the motion, until somebody says otherwise. */
 export class Contacts {
-  constructor(private readonly session: Session) {}
+  constructor(private readonly context: Context) {}
 
   /** Points that ever stand, are held by a pin or are selected, and the flights. */
   get rows(): readonly ContactRow[] {
-    const { document, performance, selected } = this.session;
+    const { document, performance, selection } = this.context;
     if (!performance) return [];
     const { contacts = {}, flights, pins = [] } = clips.clipOf(document);
     const points = document.points
@@ -38,7 +36,7 @@ export class Contacts {
           edited: said !== undefined,
         };
       })
-      .filter(({ id, runs, edited }) => runs.length > 0 || edited || id === selected || pins.some((pin) => pin.point === id));
+      .filter(({ id, runs, edited }) => runs.length > 0 || edited || id === selection.point || pins.some((pin) => pin.point === id));
     const air: ContactRow = {
       id: FLIGHTS,
       name: "In the air",
@@ -51,11 +49,11 @@ export class Contacts {
 
   /** One gesture is one step. */
   say(row: string, runs: readonly Run[], gesture?: Gesture): void {
-    this.session.apply(row === FLIGHTS ? clips.setFlights(runs) : clips.setContacts(row, runs), gesture);
+    this.context.history.apply(row === FLIGHTS ? clips.setFlights(runs) : clips.setContacts(row, runs), gesture);
   }
 
   /** As in the motion again. */
   reset(row: string): void {
-    this.session.apply(row === FLIGHTS ? clips.setFlights(null) : clips.setContacts(row, null));
+    this.context.history.apply(row === FLIGHTS ? clips.setFlights(null) : clips.setContacts(row, null));
   }
 }

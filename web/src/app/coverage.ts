@@ -1,4 +1,5 @@
-import type { Session } from "./session";
+import type { Context } from "./context";
+import type { Poses } from "./poses";
 
 /** Guesswork that is not worth a question. */
 const ENOUGH = 0.35;
@@ -8,15 +9,20 @@ export class Coverage {
   /** The frame that is asked about now. */
   asking: number | null = null;
 
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly context: Context,
+    private readonly poses: Poses,
+  ) {
+    context.signals.on("document", () => this.follow());
+  }
 
   /** Frames worth a pose, best first: none once there are enough. */
   get asked(): readonly number[] {
-    const { performance, document, motion } = this.session;
+    const { performance, document, motion } = this.context;
     if (!performance || !motion || document.points.length === 0) return [];
     const { ask, enough, coverage } = performance;
     if (enough.have >= enough.want) return [];
-    const taken = new Set(this.session.poses.here.map((pose) => pose.source.frame));
+    const taken = new Set(this.poses.here.map((pose) => pose.source.frame));
     return ask
       .map(({ frame }) => frame)
       .filter((frame) => !taken.has(frame) && (coverage[frame] ?? 0) > ENOUGH)
@@ -25,36 +31,32 @@ export class Coverage {
 
   ask(frame: number | undefined = this.asked[0]): void {
     if (frame === undefined) return;
-    const { session } = this;
-    session.player.pause();
-    session.player.seek(frame);
-    session.endIntro();
+    this.poses.visit(frame);
+    this.context.selection.endIntro();
     this.set(frame);
   }
 
   /** What the hand holds, or the shape that is there, is the answer. */
-  keep(): void {
-    const { session } = this;
+  answer(): void {
     if (this.asking === null) return;
     this.set(null);
-    session.keepShape();
+    this.poses.add();
   }
 
   skip(): void {
     this.set(null);
   }
 
-  /** The question is over once the playhead leaves it or a pose answers it. */
-  follow(): void {
-    const { asking, session } = this;
+  /** The question is over once a pose answers it, or the document changes while the playhead is elsewhere. */
+  private follow(): void {
+    const { asking } = this;
     if (asking === null) return;
-    if (session.player.frame !== asking || session.poses.here.some((pose) => pose.source.frame === asking)) this.set(null);
+    if (this.context.player.frame !== asking || this.poses.here.some((pose) => pose.source.frame === asking)) this.set(null);
   }
 
   private set(frame: number | null): void {
     if (frame === this.asking) return;
     this.asking = frame;
-    this.session.viewport?.setAsking(frame !== null);
-    this.session.emit("coverage", undefined);
+    this.context.signals.tell("coverage");
   }
 }

@@ -1,29 +1,36 @@
 import { EngineError } from "../engine/types";
 import type { Frame } from "../engine/types";
-import { pointPartners, restControls } from "../sync/prepare";
 import { toLocal, toWorld } from "../sync/placement";
 import type { Root } from "../sync/placement";
-import type { Session } from "./session";
+import { pointPartners, restControls } from "../sync/prepare";
+import type { Context } from "./context";
 
 export interface Drag {
-  id: string;
-  index: number;
-  frame: number;
+  readonly id: string;
+  readonly index: number;
+  readonly frame: number;
   /** Where the model stands while it is held. */
-  root: Root;
+  readonly root: Root;
+  /** V x 3 world: the shape that the hand took. */
+  readonly before: Float32Array;
+  /** V x 3 world: what the hand made of it, once there is something. */
+  shape: Float32Array | null;
   /** C x 3 body-local: as the dance has them, and as the hand asks. */
-  base: Float32Array;
+  readonly base: Float32Array;
   targets: Float32Array;
-  wasPlaying: boolean;
+  readonly wasPlaying: boolean;
   /** The partner on the other side does the same. */
   mirrored: boolean;
   /** Volume over rest volume, once known. */
   volume: number | null;
 }
 
+/** What a drag leaves behind where it ends. */
+export type Dropped = Pick<Drag, "id" | "frame" | "targets" | "wasPlaying">;
+
 const KEYS_REST_MS = 700;
 
-/** The hand on a dot: from the grab to a pose, or back. */
+/** The hand on a dot: from the grab to the drop, or back. */
 export class Dragging {
   active: Drag | null = null;
   private first = true;
@@ -31,27 +38,42 @@ export class Dragging {
   private again = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly session: Session) {}
+  /** `take`: what becomes of what was dropped. */
+  constructor(
+    private readonly context: Context,
+    private readonly take: (dropped: Dropped) => void,
+  ) {
+    context.signals.on("travel", () => this.cancel());
+  }
 
   grab(id: string): void {
-    const { session } = this;
+    const { document, performance, player, workspace, selection, signals } = this.context;
     if (this.active) this.cancel();
-    const { performance } = session;
-    const index = session.document.points.findIndex((point) => point.id === id);
-    const frame = session.player.frame;
-    const shown = session.workspace.cache.at(frame);
-    if (!performance || !shown || index < 0) return;
-    const controls = session.document.points.length;
-    const base = performance.controls.slice(frame * controls * 3, (frame + 1) * controls * 3);
-    const wasPlaying = session.player.playing;
-    session.player.pause();
-    session.workspace.hold();
-    this.active = { id, index, frame, root: shown.root, base, targets: base.slice(), wasPlaying, mirrored: false, volume: null };
+    const index = document.points.findIndex((point) => point.id === id);
+    const { frame } = player;
+    const shown = workspace.cache.at(frame);
+    const base = this.context.controlsAt(frame);
+    if (!performance || !shown || !base || index < 0) return;
+    const wasPlaying = player.playing;
+    player.pause();
+    workspace.hold();
+    this.active = {
+      id,
+      index,
+      frame,
+      root: shown.root,
+      before: shown.positions,
+      shape: null,
+      base,
+      targets: base.slice(),
+      wasPlaying,
+      mirrored: false,
+      volume: null,
+    };
     this.first = true;
-    session.viewport?.setGhost(shown.positions);
-    session.endIntro();
-    session.select(id);
-    session.emit("drag", undefined);
+    selection.endIntro();
+    selection.select(id);
+    signals.tell("drag");
   }
 
   /** The hand asks for a world position. */
@@ -62,7 +84,7 @@ export class Dragging {
     active.targets.set(toLocal(position, active.root), 3 * active.index);
     if (active.mirrored) this.moveTwin(active);
     this.ask();
-    this.session.emit("drag", undefined);
+    this.context.signals.tell("drag");
   }
 
   /** While a dot is held: its partner on the other side does the same, or does not. */
@@ -70,12 +92,12 @@ export class Dragging {
     const { active } = this;
     if (!active) return;
     active.mirrored = !active.mirrored;
-    this.move(toWorld(active.targets.subarray(3 * active.index, 3 * active.index + 3), active.root) as unknown as [number, number, number]);
+    this.move(position(active, active.targets));
   }
 
   /** The partner goes from its rest as the held point does, the other way sideways. */
   private moveTwin({ index, targets }: Drag): void {
-    const { model, document } = this.session;
+    const { model, document } = this.context;
     const twin = pointPartners(document.points)?.[index] ?? -1;
     if (!model || twin < 0) return;
     const rest = restControls(model, document);
@@ -85,75 +107,64 @@ export class Dragging {
     targets.set(twin === index ? [rest[at]] : [rest[to] - x, rest[to + 1] + y, rest[to + 2] + z], to);
   }
 
-  /** Arrow keys on a point of the list: 1 cm, with Shift 2 mm. */
-  key(id: string, event: KeyboardEvent): void {
-    const by = event.shiftKey ? 0.002 : 0.01;
+  /** Arrow keys on a point of the list: 1 cm, with Shift 2 mm. Answers whether the key was one. */
+  nudge(id: string, key: string, fine: boolean): boolean {
+    const by = fine ? 0.002 : 0.01;
     const ways: Readonly<Record<string, readonly [number, number, number]>> = {
       ArrowLeft: [-by, 0, 0],
       ArrowRight: [by, 0, 0],
       ArrowUp: [0, by, 0],
       ArrowDown: [0, -by, 0],
     };
-    const way = ways[event.key];
-    if (!way) return;
-    event.preventDefault();
-    this.nudge(id, way);
+    const way = ways[key];
+    if (!way) return false;
+    this.moveBy(id, way);
+    return true;
   }
 
   /** Takes a point by the keyboard and moves it by stage metres; it drops by itself when the keys rest. */
-  private nudge(id: string, delta: readonly [number, number, number]): void {
+  private moveBy(id: string, delta: readonly [number, number, number]): void {
     if (this.active?.id !== id) this.grab(id);
     const { active } = this;
     if (!active) return;
     clearTimeout(this.rest);
     this.rest = setTimeout(() => this.drop(), KEYS_REST_MS);
-    const world = toWorld(active.targets.subarray(3 * active.index, 3 * active.index + 3), active.root);
-    this.move([world[0] + delta[0], world[1] + delta[1], world[2] + delta[2]]);
-  }
-
-  /** How far the held point went, stage metres in the world's axes. */
-  delta(): [number, number, number] {
-    const { active } = this;
-    if (!active) return [0, 0, 0];
-    const at = 3 * active.index;
-    const [a, b] = [active.base, active.targets].map((track) => toWorld(track.subarray(at, at + 3), active.root));
-    return [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    const [x, y, z] = position(active, active.targets);
+    this.move([x + delta[0], y + delta[1], z + delta[2]]);
   }
 
   drop(): void {
-    const { active, session } = this;
+    const { active } = this;
     if (!active) return;
-    const moved = Math.hypot(...this.delta()) > 1e-4;
-    if (!moved) {
+    const [from, to] = [active.base, active.targets].map((track) => position(active, track));
+    if (Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]) <= 1e-4) {
       this.cancel();
       return;
     }
     this.end();
-    if (session.pins.armed) session.pins.keep(active);
-    else session.poses.keep(active);
-    session.workspace.release();
+    this.take(active);
+    this.context.workspace.release();
   }
 
   cancel(): void {
-    const { active, session } = this;
+    const { active } = this;
     if (!active) return;
+    const { workspace, player, signals } = this.context;
     this.end();
-    session.workspace.release();
-    session.showFrame();
-    if (active.wasPlaying) session.player.play();
+    workspace.release();
+    signals.tell("frame");
+    if (active.wasPlaying) player.play();
   }
 
   private end(): void {
     clearTimeout(this.rest);
     this.active = null;
-    this.session.viewport?.setGhost(null);
-    this.session.viewport?.setNote("");
-    this.session.emit("drag", undefined);
+    this.context.signals.tell("drag");
   }
 
   /** One question at a time; the newest targets win. */
   private ask(): void {
-    const { active, session } = this;
+    const { active } = this;
     if (!active) return;
     if (this.asking) {
       this.again = true;
@@ -162,14 +173,15 @@ export class Dragging {
     this.asking = true;
     const restart = this.first;
     this.first = false;
-    session.workspace
+    const { workspace } = this.context;
+    workspace
       .drag(active.targets, restart)
       .then(
         (frame) => this.show(active, frame),
         (error: unknown) => {
           if (error instanceof EngineError && error.code === "superseded") return;
           if (this.active === active) this.cancel();
-          if (error instanceof EngineError && error.code === "engine_lost") void session.workspace.sync();
+          if (error instanceof EngineError && error.code === "engine_lost") void workspace.sync();
         },
       )
       .finally(() => {
@@ -184,9 +196,14 @@ export class Dragging {
   private show(drag: Drag, frame: Frame): void {
     if (this.active !== drag) return;
     drag.volume = frame.volumeRatio;
-    if (frame.volumeRatio !== null) this.session.viewport?.setNote(`Volume ${Math.round(100 * frame.volumeRatio)} %`);
-    this.session.meter.add(frame.milliseconds);
-    this.session.viewport?.setVertices(toWorld(frame.positions, drag.root));
-    this.session.emit("drag", undefined);
+    drag.shape = toWorld(frame.positions, drag.root);
+    this.context.meter.add(frame.milliseconds);
+    this.context.signals.tell("drag");
   }
+}
+
+/** Where a track has the held point, in the world. */
+function position({ index, root }: Drag, track: Float32Array): [number, number, number] {
+  const [x, y, z] = toWorld(track.subarray(3 * index, 3 * index + 3), root);
+  return [x, y, z];
 }

@@ -1,81 +1,33 @@
-import type { Session } from "./session";
-import { PANELS } from "./panels";
+import type { Action, Actions } from "./actions";
 
-/** True while the keys belong to a field of text or a list of choices. */
-function isTyping(event: KeyboardEvent): boolean {
-  const target = event.composedPath()[0];
-  if (target instanceof HTMLInputElement) return !["range", "checkbox", "radio"].includes(target.type);
-  return target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+/** A key that went down, and where. */
+export interface KeyPress {
+  /** As KeyboardEvent has it. */
+  readonly key: string;
+  /** Ctrl, or Cmd. */
+  readonly ctrl: boolean;
+  readonly shift: boolean;
+  readonly alt: boolean;
+  /** The focus is in a field of text or a list of choices. */
+  readonly typing: boolean;
+  /** The focus is on a button or a box to tick. */
+  readonly onButton: boolean;
 }
 
-function onButton(event: KeyboardEvent): boolean {
-  const target = event.composedPath()[0];
-  return target instanceof HTMLButtonElement || (target instanceof HTMLInputElement && target.type === "checkbox");
+/** Does what a key means. Answers whether the key was ours. */
+export function handleKey(actions: Actions, press: KeyPress): boolean {
+  if (press.alt && !press.ctrl) return false;
+  const name = press.key === " " ? "Space" : press.key.length === 1 ? press.key.toUpperCase() : press.key;
+  const ctrl = press.ctrl ? "Ctrl+" : "";
+  // Where Shift makes no difference it may be down: it is for "?" on most keyboards.
+  const action = (press.shift && find(actions, `${ctrl}Shift+${name}`)) || find(actions, ctrl + name);
+  if (!action || !action.enabled()) return false;
+  if (press.typing && !action.whileTyping) return false;
+  if (press.onButton && action.leftToButtons) return false;
+  action.run();
+  return true;
 }
 
-/** The page's keys. Answers whether the key was ours. */
-export function handleKey(session: Session, event: KeyboardEvent): boolean {
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (event.ctrlKey || event.metaKey) {
-    if (key === "s") void session.save();
-    else if (key === "o") session.pickFiles();
-    else if (isTyping(event)) return false;
-    else if (key === "z" && !event.shiftKey) session.undo();
-    else if (key === "y" || (key === "z" && event.shiftKey)) session.redo();
-    else return false;
-    return true;
-  }
-  if (isTyping(event) || event.altKey) return false;
-  const panel = PANELS[Number(key) - 1];
-  if (panel) {
-    session.setPanel(session.panel === panel.id ? null : panel.id);
-    return true;
-  }
-  const { player } = session;
-  switch (key) {
-    case " ":
-      if (onButton(event)) return false;
-      session.togglePlay();
-      return true;
-    case ",":
-      player.step(-1);
-      return true;
-    case ".":
-      player.step(1);
-      return true;
-    case "[":
-      session.poses.step(-1);
-      return true;
-    case "]":
-      session.poses.step(1);
-      return true;
-    case "k":
-      session.keepShape();
-      return true;
-    case "c":
-      session.pins.key();
-      return true;
-    case "m":
-      if (!session.drag) return false;
-      session.dragging.mirror();
-      return true;
-    case "Enter":
-      if (session.coverage.asking === null || onButton(event)) return false;
-      session.coverage.keep();
-      return true;
-    case "f":
-      session.fit();
-      return true;
-    case "?":
-      session.setHelp(true);
-      return true;
-    case "Escape":
-      return session.escape();
-    case "Delete":
-      if (session.pins.chosen) session.pins.remove(session.pins.chosen);
-      else return session.points.removeSelected();
-      return true;
-    default:
-      return false;
-  }
+function find(actions: Actions, key: string): Action | undefined {
+  return Object.values(actions).find(({ keys }) => keys.includes(key));
 }

@@ -1,5 +1,6 @@
 import { stem } from "../util/words";
-import type { Session } from "./session";
+import type { Builtins } from "./builtins";
+import type { Context } from "./context";
 
 export interface MotionEntry {
   files: readonly string[];
@@ -9,18 +10,20 @@ export interface MotionEntry {
 
 /** The motions that can be played: built-in ones and those that were opened. */
 export class Motions {
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly context: Context,
+    private readonly builtins: Builtins,
+  ) {}
 
   get list(): readonly MotionEntry[] {
-    const { builtins, workspace } = this.session;
-    const builtin = builtins.motions.map(({ file, name }) => ({ files: [file], builtin: true, name }));
+    const builtin = this.builtins.motions.map(({ file, name }) => ({ files: [file], builtin: true, name }));
     const known = new Set(builtin.map((entry) => entry.files.join("\n")));
-    const opened = workspace.library.motionFiles.filter((files) => !known.has(files.join("\n")));
+    const opened = this.context.workspace.library.motionFiles.filter((files) => !known.has(files.join("\n")));
     return [...builtin, ...opened.map((files) => ({ files, builtin: false, name: stem(files.at(-1) ?? "") }))];
   }
 
   isPlaying(entry: MotionEntry): boolean {
-    return entry.files.join("\n") === this.session.document.motion.files.join("\n");
+    return entry.files.join("\n") === this.context.document.motion.files.join("\n");
   }
 
   /** The built-in one after the one that plays now, around the end. */

@@ -1,6 +1,7 @@
 import type { ProjectDocument } from "../document/types";
 import { Emitter } from "../util/emitter";
-import type { IconName } from "../ui/icons";
+
+export type NoticeIcon = "file" | "model" | "motion" | "points" | "poses" | "save" | "scale" | "warning";
 
 export interface NoticeAction {
   label: string;
@@ -13,7 +14,7 @@ export interface Notice {
   id: number;
   /** Only if the thing asked for did not happen. */
   bad: boolean;
-  icon: IconName;
+  icon: NoticeIcon;
   /** What happened. */
   title: string;
   /** What we did. */

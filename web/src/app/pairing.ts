@@ -1,60 +1,81 @@
-import type { Session } from "./session";
+import type { Context } from "./context";
+import type { Guesses } from "./guesses";
+import type { Points } from "./points";
 
-/** The Points panel: click a place on the model, then the joint that moves it. */
+/** Making pairs on the stage: click a place on the model, then the joint that moves it. */
 export class Pairing {
   /** A click on the mesh makes a point. */
   adding = false;
   /** The point that waits for its joint. */
   waiting: string | null = null;
 
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly context: Context,
+    private readonly points: Points,
+    private readonly guesses: Guesses,
+  ) {
+    const { signals, selection } = context;
+    signals.on("panel", () => {
+      if (selection.panel !== "points") this.stop();
+      else if (context.model && context.document.points.length === 0) this.start();
+    });
+    signals.on("document", () => {
+      if (this.waiting !== null && !context.document.points.some(({ id }) => id === this.waiting)) this.waitFor(null);
+    });
+  }
+
+  /** Something is to be clicked on the stage. */
+  get asks(): boolean {
+    return this.adding || this.waiting !== null;
+  }
 
   toggleAdd(): void {
     this.adding = !this.adding;
-    this.setWaiting(null);
+    this.waitFor(null);
   }
 
   start(): void {
     this.adding = true;
-    this.setWaiting(null);
+    this.waitFor(null);
   }
 
   stop(): void {
     this.adding = false;
-    this.setWaiting(null);
+    this.waitFor(null);
   }
 
   surface(vertex: number): void {
     if (!this.adding) return;
-    const id = this.session.points.add(vertex);
-    if (id) this.setWaiting(id);
+    const id = this.points.add(vertex);
+    if (id) this.waitFor(id);
   }
 
   joint(joint: number): void {
-    const name = this.session.motion?.joints[joint]?.name;
-    const id = this.waiting ?? this.session.selected;
+    const name = this.context.motion?.joints[joint]?.name;
+    const id = this.waiting ?? this.context.selection.point;
     if (!name || !id) return;
-    this.session.points.pair(id, name);
-    this.setWaiting(null);
+    this.points.pair(id, name);
+    this.waitFor(null);
   }
 
-  pick(id: string, on: "model" | "human"): void {
-    if (this.session.guesses.take(id)) return;
+  /** A click on a dot of either figure. */
+  pick(mark: string, on: "model" | "human"): void {
+    const { document, selection } = this.context;
+    if (this.guesses.take(mark)) return;
     if (this.waiting && on === "human") {
-      const point = this.session.document.points.find((other) => other.id === id);
+      const point = document.points.find((other) => other.id === mark);
       if (point?.joint) {
-        this.session.points.pair(this.waiting, point.joint);
-        this.setWaiting(null);
+        this.points.pair(this.waiting, point.joint);
+        this.waitFor(null);
         return;
       }
     }
-    this.session.select(id);
-    this.setWaiting(on === "model" && this.session.panel === "points" ? id : null);
+    selection.select(mark);
+    this.waitFor(on === "model" && selection.panel === "points" ? mark : null);
   }
 
-  setWaiting(id: string | null): void {
+  waitFor(id: string | null): void {
     this.waiting = id;
-    this.session.viewport?.setLivePair(id ? { id } : null);
-    this.session.emit("pairing", undefined);
+    this.context.signals.tell("pairing");
   }
 }

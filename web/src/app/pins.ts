@@ -2,8 +2,10 @@ import { clipOf, removePin, setPin } from "../document/clips";
 import { freeId } from "../document/commands";
 import type { Pin } from "../document/types";
 import { pinsWithin, pointsOfControls } from "../sync/prepare";
-import type { Drag } from "./dragging";
-import type { Session } from "./session";
+import type { Context } from "./context";
+import type { Dragging, Dropped } from "./dragging";
+
+export type { Pin } from "../document/types";
 
 /** Less is not worth a word: metres on the stage. */
 const MISSED = 0.005;
@@ -16,10 +18,15 @@ export class Pins {
   /** The pin that is spoken of. */
   chosen: string | null = null;
 
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly context: Context,
+    private readonly dragging: Dragging,
+  ) {
+    context.workspace.on("performance", () => this.check());
+  }
 
   get here(): readonly Pin[] {
-    return clipOf(this.session.document).pins ?? [];
+    return clipOf(this.context.document).pins ?? [];
   }
 
   get chosenPin(): Pin | null {
@@ -28,75 +35,78 @@ export class Pins {
 
   arm(on: boolean): void {
     this.armed = on;
-    this.session.emit("pins", undefined);
+    this.context.signals.tell("pins");
   }
 
   choose(id: string | null): void {
+    const { player, selection, signals } = this.context;
     this.chosen = id;
     const pin = this.chosenPin;
     if (pin) {
-      this.session.player.pause();
-      this.session.player.seek(pin.frame);
-      this.session.select(pin.point);
+      player.pause();
+      player.seek(pin.frame);
+      selection.select(pin.point);
     }
-    this.session.emit("pins", undefined);
+    signals.tell("pins");
   }
 
   /** Pins what the hand holds; else the selected point where it is; else the next drag will. */
-  key(): void {
-    const { session } = this;
-    if (session.drag) {
+  add(): void {
+    const { selection, performance, player } = this.context;
+    if (this.dragging.active) {
       this.armed = true;
-      session.dragging.drop();
-    } else if (session.selected && session.performance && !session.player.playing) this.holdSelected();
+      this.dragging.drop();
+    } else if (selection.point && performance && !player.playing) this.addSelected(selection.point);
     else this.arm(!this.armed);
   }
 
-  /** Pins the held point where the hand let it go. */
-  keep({ id, frame, targets, wasPlaying }: Pick<Drag, "id" | "frame" | "targets" | "wasPlaying">): void {
+  /** Pins the point that the hand dropped where it let it go. */
+  take({ id, frame, targets, wasPlaying }: Dropped): void {
     this.armed = false;
-    this.session.holdShape(frame, wasPlaying);
-    this.place(id, frame, targets);
+    this.context.signals.emit("freeze", { frame, playOn: wasPlaying });
+    this.make(id, frame, targets);
   }
 
   setKind(pin: Pin, kind: Pin["kind"]): void {
     if (kind === "still" && pin.frame === 0) return;
-    this.session.apply(setPin({ ...pin, kind }));
+    this.context.history.apply(setPin({ ...pin, kind }));
   }
 
   remove(id: string): void {
-    const { session } = this;
+    const { history, notices } = this.context;
     const pin = this.here.find((other) => other.id === id);
     if (!pin) return;
-    session.apply(removePin(id));
+    history.apply(removePin(id));
     this.choose(null);
-    session.notices.say({
+    notices.say({
       title: `The pin at frame ${pin.frame} is gone.`,
       text: "The dance goes on without it.",
       icon: "points",
-      actions: [session.undoAction()],
+      actions: [history.undoAction()],
     });
   }
 
   /** Says which pin the new dance cannot keep, by how much, and what stands against it; or takes that back. */
-  check(): void {
-    const { session } = this;
-    const { performance, motion } = session;
+  private check(): void {
+    const { performance, motion, document, notices } = this.context;
     if (!performance || !motion) return;
-    const pins = pinsWithin(clipOf(session.document), motion.frames);
+    const pins = pinsWithin(clipOf(document), motion.frames);
     const { worst, against } = performance.missed;
     if (worst.length !== pins.length) return; // of an older document; the next dance is on its way
     const at = worst.reduce((most, miss, n) => (miss > (worst[most] ?? 0) ? n : most), 0);
     const pin = pins[at];
     if (!pin || (worst[at] ?? 0) < MISSED) {
-      session.notices.dismissTitle(TITLE);
+      notices.dismissTitle(TITLE);
       return;
     }
     const other = pins[against[at] ?? -1];
     const miss = Math.max(1, Math.round(100 * (worst[at] ?? 0)));
-    session.notices.say({
+    const why = other
+      ? `${this.words(other)} stands against it; they met half way.`
+      : "The ground stands against it: the point stands or would sink there.";
+    notices.say({
       title: TITLE,
-      text: `${this.words(pin)} is missed by ${miss} cm. ${other ? `${this.words(other)} stands against it; they met half way.` : "The ground stands against it: the point stands or would sink there."}`,
+      text: `${this.words(pin)} is missed by ${miss} cm. ${why}`,
       icon: "points",
       actions: [
         { label: "Show it", run: () => this.choose(pin.id) },
@@ -106,28 +116,24 @@ export class Pins {
   }
 
   /** "The pin of Left arm at frame 40" */
-  words({ point, frame }: Pin): string {
-    return `The pin of ${this.session.document.points.find(({ id }) => id === point)?.name ?? "a point"} at frame ${frame}`;
+  private words({ point, frame }: Pin): string {
+    return `The pin of ${this.context.document.points.find(({ id }) => id === point)?.name ?? "a point"} at frame ${frame}`;
   }
 
-  private holdSelected(): void {
-    const { session } = this;
-    const { performance, selected, document } = session;
-    if (!performance || !selected) return;
-    const { frame } = session.player;
-    const size = 3 * document.points.length;
-    this.place(selected, frame, performance.controls.slice(frame * size, (frame + 1) * size));
+  private addSelected(point: string): void {
+    const { frame } = this.context.player;
+    const controls = this.context.controlsAt(frame);
+    if (controls) this.make(point, frame, controls);
   }
 
-  private place(point: string, frame: number, targets: Float32Array): void {
-    const { session } = this;
-    const { model, document } = session;
+  private make(point: string, frame: number, controls: Float32Array): void {
+    const { model, document, history, signals } = this.context;
     if (!model) return;
-    const position = pointsOfControls(model, document, targets)[point];
+    const position = pointsOfControls(model, document, controls)[point];
     if (!position) return;
     const id = freeId(this.here, "n");
-    session.apply(setPin({ id, point, frame, kind: "place", position }));
+    history.apply(setPin({ id, point, frame, kind: "place", position }));
     this.chosen = id;
-    session.emit("pins", undefined);
+    signals.tell("pins");
   }
 }

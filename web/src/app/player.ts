@@ -1,5 +1,7 @@
 import { FPS } from "../engine/types";
 import { Emitter } from "../util/emitter";
+import { seconds } from "../util/words";
+import type { ClockPort } from "./ports";
 
 export interface PlayerEvents {
   /** The frame to show changed. */
@@ -10,7 +12,7 @@ export interface PlayerEvents {
   state: void;
 }
 
-export const SPEEDS = [0.25, 0.5, 1, 2] as const;
+const SPEEDS = [0.25, 0.5, 1, 2] as const;
 
 /** The playhead: which frame is now. Knows nothing of what a frame shows. */
 export class Player extends Emitter<PlayerEvents> {
@@ -22,10 +24,19 @@ export class Player extends Emitter<PlayerEvents> {
   waiting = false;
   private time = 0;
   private last = 0;
-  private request = 0;
+  private callOff = (): void => {};
+
+  constructor(private readonly clock: ClockPort) {
+    super();
+  }
 
   get frame(): number {
     return this.frames === 0 ? 0 : Math.min(this.frames - 1, Math.floor(this.time * FPS + 1e-6));
+  }
+
+  /** "1.4 s" at the playhead. */
+  get clockWords(): string {
+    return seconds(this.frame / FPS);
   }
 
   setFrames(frames: number): void {
@@ -41,14 +52,14 @@ export class Player extends Emitter<PlayerEvents> {
     if (!this.loop && this.frame === this.frames - 1) this.time = 0;
     this.playing = true;
     this.last = performance.now();
-    this.request = requestAnimationFrame(this.tick);
+    this.askForTick();
     this.emit("state", undefined);
   }
 
   pause(): void {
     if (!this.playing) return;
     this.playing = false;
-    cancelAnimationFrame(this.request);
+    this.callOff();
     this.emit("state", undefined);
   }
 
@@ -62,8 +73,10 @@ export class Player extends Emitter<PlayerEvents> {
     this.emit("state", undefined);
   }
 
-  setSpeed(speed: number): void {
-    this.speed = speed;
+  /** The next speed, around the end. */
+  nextSpeed(): void {
+    const at = SPEEDS.findIndex((speed) => speed === this.speed);
+    this.speed = SPEEDS[(at + 1) % SPEEDS.length] ?? 1;
     this.emit("state", undefined);
   }
 
@@ -80,6 +93,10 @@ export class Player extends Emitter<PlayerEvents> {
     this.pause();
     const to = this.frame + by;
     this.seek(this.loop ? (to + this.frames) % this.frames : to);
+  }
+
+  private askForTick(): void {
+    this.callOff = this.clock.nextFrame(this.tick);
   }
 
   private readonly tick = (now: number): void => {
@@ -99,6 +116,6 @@ export class Player extends Emitter<PlayerEvents> {
       }
     }
     if (this.frame !== before) this.emit("frame", this.frame);
-    if (this.playing) this.request = requestAnimationFrame(this.tick);
+    if (this.playing) this.askForTick();
   };
 }

@@ -1,55 +1,77 @@
 import * as commands from "../document/commands";
-import type { Vec3 } from "../document/types";
-import { sayJoint } from "../sync/pairing";
-import type { Session } from "./session";
+import type { Point, Vec3 } from "../document/types";
+import { describeJoints } from "../skeleton/pair-joints";
+import { pointJoints, sayJoint } from "../sync/pairing";
+import type { Context } from "./context";
+
+export type { Point } from "../document/types";
+
+export interface Driver {
+  /** As the motion calls it. */
+  readonly name: string;
+  readonly label: string;
+}
 
 /** Making, naming, pairing and taking away points. */
 export class Points {
-  constructor(private readonly session: Session) {}
+  constructor(private readonly context: Context) {}
 
   /** A new point at a vertex of the model, or the one that is there; answers its id. */
   add(vertex: number): string | null {
-    const { model, document } = this.session;
+    const { model, document, history, selection } = this.context;
     if (!model || vertex < 0) return null;
     const [x, y, z] = model.positions.subarray(3 * vertex, 3 * vertex + 3);
     const position: Vec3 = [x, y, z];
     const taken = document.points.find((point) => point.position.every((value, k) => value === position[k]));
     if (taken) return taken.id;
     const id = commands.freeId(document.points, "p");
-    this.session.apply(commands.addPoint({ id, name: `Point ${document.points.length + 1}`, position, joint: null }));
-    this.session.select(id);
+    history.apply(commands.addPoint({ id, name: `Point ${document.points.length + 1}`, position, joint: null }));
+    selection.select(id);
     return id;
   }
 
-  rename(id: string, name: string): void {
-    if (name.trim() !== "") this.session.apply(commands.renamePoint(id, name.trim()));
-    else this.session.emit("document", undefined);
+  /** Answers false to an empty name: every point has one. */
+  rename(id: string, name: string): boolean {
+    if (name.trim() === "") return false;
+    this.context.history.apply(commands.renamePoint(id, name.trim()));
+    return true;
   }
 
   pair(id: string, joint: string | null): void {
-    const { document, motion } = this.session;
+    const { document, motion, history } = this.context;
     const driver = motion?.joints.find(({ name }) => name === joint);
     const { name, roles } = driver ? sayJoint(document, driver) : { name: joint, roles: {} };
-    this.session.apply(commands.pairPoint(id, name, roles));
+    history.apply(commands.pairPoint(id, name, roles));
+  }
+
+  /** The joints that may move a point, as people read them. */
+  get drivers(): readonly Driver[] {
+    const joints = this.context.motion?.joints ?? [];
+    return describeJoints(joints).map(({ label }, j) => ({ name: joints[j].name, label }));
+  }
+
+  /** The joint that moves a point; null where the whole pose does. */
+  driverOf({ id }: Point): Driver | null {
+    const { document, motion } = this.context;
+    const joint = motion ? pointJoints(document, motion)[document.points.findIndex((point) => point.id === id)] : -1;
+    return this.drivers[joint] ?? null;
   }
 
   /** Its partner on the other side, itself in the middle, or nobody. */
   pairMirror(id: string, partner: string | null): void {
-    this.session.apply(commands.pairMirror(id, partner));
+    this.context.history.apply(commands.pairMirror(id, partner));
   }
 
   remove(id: string): void {
-    const { session } = this;
-    const name = session.document.points.find((point) => point.id === id)?.name ?? "A point";
-    session.apply(commands.removePoint(id));
-    if (session.pairing.waiting === id) session.pairing.setWaiting(null);
-    session.notices.say({ title: `${name} is gone.`, text: "Poses forgot it too.", icon: "points", actions: [session.undoAction()] });
+    const { document, history, notices } = this.context;
+    const name = document.points.find((point) => point.id === id)?.name ?? "A point";
+    history.apply(commands.removePoint(id));
+    notices.say({ title: `${name} is gone.`, text: "Poses forgot it too.", icon: "points", actions: [history.undoAction()] });
   }
 
-  removeSelected(): boolean {
-    const { selected, drag } = this.session;
-    if (selected === null || drag || !this.session.document.points.some(({ id }) => id === selected)) return false;
-    this.remove(selected);
-    return true;
+  /** The selected point's id; null if none is. */
+  get selected(): string | null {
+    const { document, selection } = this.context;
+    return document.points.some(({ id }) => id === selection.point) ? selection.point : null;
   }
 }

@@ -1,9 +1,10 @@
-import { stageFor } from "../sync/prepare";
-import type { Model } from "../io/model";
 import { toStage } from "../document/stage";
+import { stageFor } from "../sync/prepare";
 import { bytes, figure } from "../util/words";
-import { download } from "../ui/pick-files";
-import type { Session } from "./session";
+import { isAbort } from "./aborts";
+import type { Context } from "./context";
+import type { Jobs } from "./jobs";
+import type { FilesPort } from "./ports";
 import type { Sources } from "./sources";
 
 /** More targets than this and some viewers show nothing. */
@@ -12,76 +13,69 @@ const MAX_TARGETS = 120;
 /** From the document to files: the project and the animated model. */
 export class Saving {
   constructor(
-    private readonly session: Session,
+    private readonly context: Context,
+    private readonly jobs: Jobs,
     private readonly sources: Sources,
+    private readonly files: Pick<FilesPort, "download">,
   ) {}
 
   async save(): Promise<void> {
-    const { session } = this;
-    const { document, model } = session;
+    const { document, model, history } = this.context;
     if (!model) return;
     try {
       const { projectFileName, saveProject } = await import("../io/project-file");
-      const zip = saveProject(document, this.sources.of(model, document.motion.files));
-      download(projectFileName(document), zip.slice(), "application/zip");
-      session.markSaved();
+      const zip = saveProject(document, this.sources.filesOf(model, document.motion.files));
+      this.files.download(projectFileName(document), zip.slice(), "application/zip");
+      history.markSaved();
     } catch (error) {
-      session.notices.say({
-        bad: true,
-        title: "The project could not be saved.",
-        text: error instanceof Error ? error.message : String(error),
-      });
+      this.refuse("The project could not be saved.", error);
     }
   }
 
   /** An animated GLB of the whole dance. */
   async exportModel(): Promise<void> {
-    const { session } = this;
-    const model = session.model as Model | undefined;
-    if (!model || !session.performance) return;
-    const { name, mesh } = session.document;
+    const { model: present, performance, document, notices } = this.context;
+    const model = present && this.sources.of(present)?.model;
+    if (!model || !performance) return;
+    const { name, mesh } = document;
+    const steps = [`Play through ${figure(performance.frames)} frames`, "Write the file"];
     try {
-      await session.jobs.run(
-        `Exporting ${name}`,
-        [`Play through ${figure(session.performance.frames)} frames`, "Write the file"],
-        async (job) => {
-          const frames = await this.allFrames(job.signal, job.progress);
-          job.step(1);
-          const { writeGlb } = await import("../io/write-glb");
-          const stage = stageFor(model, mesh);
-          const every = Math.ceil(frames.length / MAX_TARGETS);
-          const glb = await writeGlb({
-            name,
-            drawn: model.drawn,
-            faces: model.faces,
-            rest: toStage(stage, model.positions),
-            frames,
-            scale: 1 / stage.scale,
-            every,
-          });
-          job.signal.throwIfAborted();
-          download(`${name}.glb`, glb.slice(), "model/gltf-binary");
-          const kept = every > 1 ? ` Every ${figure(every)} frames are one shape, so that all viewers can take it.` : "";
-          session.notices.say({
-            title: `${name}.glb is ${bytes(glb.length)}.`,
-            text: `It opens in Blender, Unity, Godot and on the web.${kept}`,
-            icon: "save",
-          });
-        },
-      );
-    } catch (error) {
-      if (error instanceof DOMException && error.name === "AbortError") return;
-      session.notices.say({
-        bad: true,
-        title: `${name} could not be exported.`,
-        text: error instanceof Error ? error.message : String(error),
+      await this.jobs.run(`Exporting ${name}`, steps, async (job) => {
+        const frames = await this.allFrames(job.signal, job.progress);
+        job.step(1);
+        const { writeGlb } = await import("../io/write-glb");
+        const stage = stageFor(model, mesh);
+        const every = Math.ceil(frames.length / MAX_TARGETS);
+        const glb = await writeGlb({
+          name,
+          drawn: model.drawn,
+          faces: model.faces,
+          rest: toStage(stage, model.positions),
+          frames,
+          scale: 1 / stage.scale,
+          every,
+        });
+        job.signal.throwIfAborted();
+        this.files.download(`${name}.glb`, glb.slice(), "model/gltf-binary");
+        const kept = every > 1 ? ` Every ${figure(every)} frames are one shape, so that all viewers can take it.` : "";
+        notices.say({
+          title: `${name}.glb is ${bytes(glb.length)}.`,
+          text: `It opens in Blender, Unity, Godot and on the web.${kept}`,
+          icon: "save",
+        });
       });
+    } catch (error) {
+      if (!isAbort(error)) this.refuse(`${name} could not be exported.`, error);
     }
+  }
+
+  private refuse(title: string, error: unknown): void {
+    this.context.notices.say({ bad: true, title, text: error instanceof Error ? error.message : String(error) });
   }
 
   /** Waits until every frame of the present dance is there. */
   private async allFrames(signal: AbortSignal, progress: (done: number) => void): Promise<{ positions: Float32Array }[]> {
-    const { workspace } = this.session;
+    const { workspace } = this.context;
     const stop = workspace.on("frame", () => progress(1 - workspace.cache.staleCount / workspace.cache.length));
     try {
       while (workspace.cache.staleCount > 0) {

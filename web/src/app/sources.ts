@@ -1,52 +1,61 @@
 import type { MotionInput } from "../engine/types";
 import type { Model } from "../io/model";
-import { motionFormat } from "../io/read-motion-files";
 import { extension } from "../io/named-file";
 import type { NamedFile } from "../io/named-file";
+import { motionFormat } from "../io/read-motion-files";
 import type { Library } from "../sync/library";
 import type { SolverModel } from "../sync/prepare";
+import type { Ports } from "./ports";
 
-/** What models and motions were read from, so that a project can be saved with them; and their decoded pictures. */
+/** A model as it was opened. */
+export interface Source {
+  readonly model: Model;
+  /** What it was read from, its own file first. */
+  readonly files: readonly NamedFile[];
+  /** Its picture, decoded. */
+  readonly texture: ImageBitmap | null;
+}
+
+/** What models and motions were read from, so that they can be drawn and a project can be saved with them. */
 export class Sources {
-  private readonly files = new WeakMap<SolverModel, readonly NamedFile[]>();
-  private readonly textures = new WeakMap<SolverModel, ImageBitmap>();
+  private readonly sources = new WeakMap<SolverModel, Source>();
 
-  constructor(private readonly library: Library) {}
+  constructor(
+    private readonly library: Library,
+    private readonly decodePicture: Ports["decodePicture"],
+  ) {}
 
   /**
-   * Keeps a model under a name of its own, its own file first among `files`; answers the name. The same files opened again
-   * are the same model.
+   * Adds a model to the library under a name of its own, its own file first among `files`; answers the name. The same files
+   * opened again are the same model.
    */
-  async keepModel(file: string, model: Model, files: readonly NamedFile[]): Promise<string> {
+  async addModel(file: string, model: Model, files: readonly NamedFile[]): Promise<string> {
     const [own, ...others] = files;
     const beside = others.filter((other) => motionFormat(other) === null && extension(other.name) !== "json");
     const known = this.library.model(file);
-    if (known && own && sameFiles(this.files.get(known) ?? [], [{ ...own, name: file }, ...beside])) return file;
+    if (known && own && sameFiles(this.of(known)?.files ?? [], [{ ...own, name: file }, ...beside])) return file;
     const { texture } = model.drawn;
-    if (texture) {
-      const blob = new Blob([texture.bytes.slice()], { type: texture.mime });
-      this.textures.set(model, await createImageBitmap(blob, { premultiplyAlpha: "none", colorSpaceConversion: "none" }));
-    }
+    const decoded = texture && (await this.decodePicture(texture));
     const name = this.library.addModel(file, model);
-    this.files.set(model, own ? [{ ...own, name }, ...beside] : beside);
+    this.sources.set(model, { model, files: own ? [{ ...own, name }, ...beside] : beside, texture: decoded });
     return name;
   }
 
-  keepMotion(files: readonly string[], input: MotionInput): readonly string[] {
+  addMotion(files: readonly string[], input: MotionInput): readonly string[] {
     return this.library.addMotion(files, input);
   }
 
-  texture(model: SolverModel): ImageBitmap | null {
-    return this.textures.get(model) ?? null;
+  of(model: SolverModel): Source | undefined {
+    return this.sources.get(model);
   }
 
   /** Everything that a project names. */
-  of(model: SolverModel, motionFiles: readonly string[]): NamedFile[] {
+  filesOf(model: SolverModel, motionFiles: readonly string[]): NamedFile[] {
     const motion = this.library.motion(motionFiles);
     const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
     const texts = !motion ? [] : motion.format === "bvh" ? [motion.text] : [motion.skeleton, motion.text];
     const motions = texts.map((text, k) => ({ name: motionFiles[k] ?? "", bytes: encode(text) }));
-    return [...(this.files.get(model) ?? []), ...motions];
+    return [...(this.of(model)?.files ?? []), ...motions];
   }
 }
 

@@ -1,10 +1,17 @@
 import type { Example } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { Session } from "./session";
+import type { StagePort } from "../stage/port";
+import type { Context } from "./context";
+import type { Dragging } from "./dragging";
+import type { Poses } from "./poses";
+import type { ClockPort } from "./ports";
 
 const SIZE = 80;
 /** The first moments belong to the dance: a picture that is read back stops the graphics card. */
 const AFTER_OPENING_MS = 1500;
+
+/** Who draws a small picture of a shape, once a model has been put on the stage. */
+export type ThumbnailPort = Pick<StagePort, "thumbnail">;
 
 /** Small pictures of the rest shape and of each pose, made while nobody drags. */
 export class Thumbnails {
@@ -12,62 +19,69 @@ export class Thumbnails {
   private pictures = new WeakMap<Example, string>();
   private restPositions: Float32Array | null = null;
   private working = false;
-  private readonly opened = new Promise((resolve) => setTimeout(resolve, AFTER_OPENING_MS));
+  private readonly opened = new Promise<void>((resolve) => setTimeout(() => resolve(), AFTER_OPENING_MS));
 
-  constructor(private readonly session: Session) {}
+  constructor(
+    private readonly context: Context,
+    private readonly poses: Poses,
+    private readonly dragging: Dragging,
+    private readonly stage: ThumbnailPort,
+    private readonly clock: Pick<ClockPort, "idle">,
+  ) {
+    context.signals.on("staged", (rest) => this.reset(rest));
+    context.workspace.on("busy", (busy) => {
+      if (!busy) void this.update();
+    });
+  }
 
   of(pose: Example): string | null {
     return this.pictures.get(pose) ?? null;
   }
 
   /** The mesh changed: no picture is true any more. */
-  reset(restPositions: Float32Array): void {
+  private reset(restPositions: Float32Array): void {
     this.pictures = new WeakMap();
     this.restPositions = restPositions;
     this.rest = null;
-    this.session.emit("thumbs", undefined);
+    this.context.signals.tell("thumbnails");
     void this.update();
   }
 
   /** Makes what is missing, one by one. */
-  async update(): Promise<void> {
+  private async update(): Promise<void> {
     if (this.working) return;
     this.working = true;
     try {
       await this.opened;
-      for (;;) {
-        await idle();
-        const { session } = this;
-        if (session.solving) return;
-        if (this.rest === null && this.restPositions && session.viewport) {
-          this.rest = session.viewport.thumbnail(this.restPositions, SIZE);
-          session.emit("thumbs", undefined);
-          continue;
-        }
-        const pose = session.document.examples.find((example) => !this.pictures.has(example));
-        if (!pose || !session.viewport || session.drag || !session.performance) return;
-        const targets = session.poses.targetsOf(pose);
-        if (!targets) return;
-        // A drag takes a few iterations from where the last one left the surface; a picture wants the end of it.
-        for (let k = 0; k < 4; k++) {
-          const frame = await session.workspace.drag(targets, k === 0);
-          if (session.drag) return;
-          if (k === 3) this.pictures.set(pose, session.viewport.thumbnail(frame.positions, SIZE));
-        }
-        session.emit("thumbs", undefined);
-      }
+      do await this.clock.idle();
+      while (!this.context.solving && (await this.makeNext()));
     } catch (error) {
       if (!(error instanceof EngineError)) throw error;
     } finally {
       this.working = false;
     }
   }
-}
 
-/** Pictures cost the graphics card; the dance comes first. */
-function idle(): Promise<void> {
-  return new Promise((resolve) => {
-    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: 250 });
-    else setTimeout(resolve, 100);
-  });
+  /** Answers false once there is nothing to make, or something in the way. */
+  private async makeNext(): Promise<boolean> {
+    const { context, stage, restPositions } = this;
+    if (restPositions === null) return false; // nobody draws yet
+    if (this.rest === null) {
+      this.rest = stage.thumbnail(restPositions, SIZE);
+      context.signals.tell("thumbnails");
+      return true;
+    }
+    const pose = context.document.examples.find((example) => !this.pictures.has(example));
+    if (!pose || this.dragging.active || !context.performance) return false;
+    const targets = this.poses.targetsOf(pose);
+    if (!targets) return false;
+    // A drag takes a few iterations from where the last one left the surface; a picture wants the end of it.
+    for (let k = 0; k < 4; k++) {
+      const frame = await context.workspace.drag(targets, k === 0);
+      if (this.dragging.active) return false;
+      if (k === 3) this.pictures.set(pose, stage.thumbnail(frame.positions, SIZE));
+    }
+    context.signals.tell("thumbnails");
+    return true;
+  }
 }

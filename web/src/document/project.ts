@@ -24,7 +24,8 @@ export function parseProject(text: string, fileName: string): { document: Projec
   const version = typeof value === "object" && value !== null && "version" in value ? value.version : undefined;
   if (typeof version === "number" && version > VERSION) {
     throw new DocumentError(
-      `${fileName}: This project was saved by a newer Rigless (version ${version}). This one reads version ${VERSION}; reload the page or update to open it.`,
+      `${fileName}: This project was saved by a newer Rigless (version ${version}). ` +
+        `This one reads version ${VERSION}; reload the page or update to open it.`,
     );
   }
   const fault = findFault(value, schema, schema);

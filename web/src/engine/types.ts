@@ -2,9 +2,12 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole } from "./abi";
+import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide } from "./abi";
 
 export { FPS } from "../util/constants";
+
+export type BodyPart = Exclude<CorePart, "none">;
+export type BodySide = Exclude<CoreSide, "none">;
 
 export interface MeshInput {
   /** V x 3, stage. */
@@ -70,12 +73,17 @@ export interface Joint {
   name: string;
   /** -1 for the root. */
   parent: number;
+  /** What it is of the body, as no other joint is; null on the middle line, or where that cannot be told. */
+  side: BodySide | null;
+  part: BodyPart | null;
 }
 
 /** A clip resampled to 30 fps. */
 export interface Motion {
   frames: number;
   joints: Joint[];
+  /** Whether its feet and its head or hands can be told. */
+  told: boolean;
   /** T x J x 3, world metres; the floor under the feet is y = 0. */
   positions: Float32Array;
   /** T x J x 3, body-local: root at the origin, yaw removed. */
@@ -215,7 +223,10 @@ export interface Engine {
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void>;
   /** Reads a motion; on failure (bad_motion) the previous one stays. */
   setMotion(motion: MotionInput, options?: CallOptions): Promise<Motion>;
-  /** Deforms towards C x 3 body-local targets from where the last drag left the surface. One slot: a newer drag rejects the older with "superseded". */
+  /**
+   * Deforms towards C x 3 body-local targets from where the last drag left the surface. One slot: a newer drag rejects the older
+   * with "superseded".
+   */
   drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<Frame>;
   /** Solves the whole clip for the present mesh, controls and motion. */
   retarget(input: RetargetInput, options?: CallOptions): Promise<Performance>;

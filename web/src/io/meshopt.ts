@@ -39,8 +39,8 @@ export function forgetFallbacks(json: GLTF.IGLTF): void {
 }
 
 /**
- * Unpacks every packed buffer view into a buffer of its own. `bytesOf` gives a buffer's bytes. Errors (RangeError): sizes that do not fit; the
- * decoder's own Error, where the packed bytes are no such thing.
+ * Unpacks every packed buffer view into a buffer of its own. `bytesOf` gives a buffer's bytes. Errors (RangeError): sizes that do
+ * not fit; the decoder's own Error, where the packed bytes are no such thing.
  */
 export async function unpackMeshopt(source: JSONDocument, bytesOf: (buffer: number) => Uint8Array): Promise<void> {
   const { json } = source;

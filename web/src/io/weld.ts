@@ -10,7 +10,10 @@ export interface Welded {
   vertexOf: Uint32Array;
 }
 
-/** Welds N x 3 finite positions of a box with this diagonal. Vertices keep the order of their first corner. Allocates about 40 bytes a corner. */
+/**
+ * Welds N x 3 finite positions of a box with this diagonal. Vertices keep the order of their first corner. Allocates about 40
+ * bytes a corner.
+ */
 export function weld(corners: Float32Array, diagonal: number): Welded {
   const count = corners.length / 3;
   const tolerance = TOLERANCE * diagonal;

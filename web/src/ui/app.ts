@@ -2,7 +2,9 @@ import { css, html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { debugPage } from "./debug";
 import { handleKey } from "../app/keys";
-import { Session } from "../app/session";
+import type { StagePort } from "../app/ports";
+import type { Session } from "../app/session";
+import { pressOf } from "./keys";
 import { base } from "./styles";
 import type { Intro } from "./elements/intro";
 import "./elements/intro";
@@ -28,7 +30,9 @@ const MOST_WORDS = 0.3;
 /** The page: where each part stands, what is dropped on it, and its keys. */
 @customElement("rigless-app")
 export class App extends LitElement {
-  private readonly session = new Session();
+  session!: Session;
+  /** Builds the stage in an element of the page. */
+  buildStage!: (host: HTMLElement) => StagePort;
   @state() private dropping = false;
   @state() private phone = false;
   /** Phone only: the sheet shows its content. */
@@ -36,23 +40,25 @@ export class App extends LitElement {
   @query(".view3d") private host!: HTMLDivElement;
   @query("rigless-intro") private intro!: Intro;
   private readonly narrow = matchMedia("(max-width: 719px)");
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private readonly resized = new ResizeObserver(() => this.measure());
   private framing = 0;
 
   static override styles = [
     base,
     css`
-      :host { display: grid; height: 100%; overflow: hidden; grid-template: 48px minmax(0, 1fr) auto / auto minmax(0, 1fr) auto; color: var(--ink); }
+      :host { display: grid; height: 100%; overflow: hidden; grid-template: 48px minmax(0, 1fr) auto / auto minmax(0, 1fr) auto;
+        color: var(--ink); }
       rigless-top-bar { grid-area: 1 / 1 / 2 / -1; z-index: 4; position: relative; }
       main { grid-area: 2 / 1 / 3 / -1; position: relative; background: var(--stage); overflow: hidden; min-height: 0; }
       .view3d { position: absolute; inset: 0; }
-      .left { grid-area: 2 / 1; align-self: stretch; display: flex; align-items: flex-start; pointer-events: none; z-index: 2; min-height: 0; padding-bottom: 52px; }
+      .left { grid-area: 2 / 1; align-self: stretch; display: flex; align-items: flex-start; pointer-events: none; z-index: 2;
+        min-height: 0; padding-bottom: 52px; }
       .left > * { pointer-events: auto; }
       .panel { margin: var(--s2) 0; max-height: calc(100% - 16px); display: flex; min-height: 0; }
       .panel > * { display: flex; min-height: 0; }
       rigless-inspector { grid-area: 2 / 3; align-self: start; z-index: 2; max-height: calc(100% - 32px); overflow-y: auto; }
-      .middle { grid-area: 2 / 2; position: relative; z-index: 2; pointer-events: none; display: grid; grid-template-rows: auto 1fr auto; min-width: 0; min-height: 0; }
+      .middle { grid-area: 2 / 2; position: relative; z-index: 2; pointer-events: none; display: grid; grid-template-rows: auto 1fr auto;
+        min-width: 0; min-height: 0; }
       rigless-notices { justify-self: center; margin: var(--s2) var(--s1) 0; }
       rigless-intro { position: absolute; inset: 0; }
       .low { grid-row: 3; display: grid; justify-items: end; align-content: end; }
@@ -60,7 +66,8 @@ export class App extends LitElement {
       rigless-prompt { justify-self: stretch; margin-bottom: 0; }
       rigless-view { margin-right: 0; }
       rigless-status { grid-area: 2 / 1 / 3 / 3; align-self: end; justify-self: start; z-index: 2; }
-      .dock { grid-area: 3 / 1 / 4 / -1; background: var(--desk); border-top: 1px solid var(--line); padding: 0 var(--s2) var(--s1); z-index: 3; }
+      .dock { grid-area: 3 / 1 / 4 / -1; background: var(--desk); border-top: 1px solid var(--line); padding: 0 var(--s2) var(--s1);
+        z-index: 3; }
       @media (max-width: 719px) {
         :host { grid-template: 56px minmax(0, 1fr) auto auto auto / minmax(0, 1fr); }
         rigless-top-bar { grid-area: 1 / 1; }
@@ -69,10 +76,12 @@ export class App extends LitElement {
         rigless-view { display: none; }
         rigless-status { grid-area: 2 / 1; }
         .dock { grid-area: 3 / 1; padding: 0 12px 8px; }
-        .sheet { grid-area: 4 / 1; background: var(--paper); border-top: 1px solid var(--line); max-height: 38vh; overflow-y: auto; z-index: 3; }
+        .sheet { grid-area: 4 / 1; background: var(--paper); border-top: 1px solid var(--line); max-height: 38vh; overflow-y: auto;
+          z-index: 3; }
         .handle { display: block; width: 100%; height: 20px; border: 0; background: none; padding: 0; cursor: pointer; position: relative; }
         .handle::before { content: ""; position: absolute; inset: -12px 0; }
-        .handle::after { content: ""; display: block; width: 40px; height: 4px; border-radius: 2px; background: var(--edge); margin: 0 auto; }
+        .handle::after { content: ""; display: block; width: 40px; height: 4px; border-radius: 2px; background: var(--edge);
+          margin: 0 auto; }
         .handle:focus-visible { position: relative; }
         rigless-rail { grid-area: 5 / 1; z-index: 3; }
         .panel { margin: 0; max-height: none; }
@@ -86,7 +95,6 @@ export class App extends LitElement {
     super.connectedCallback();
     this.phone = this.narrow.matches;
     this.narrow.addEventListener("change", this.narrowed);
-    this.dark.addEventListener("change", this.themed);
     addEventListener("keydown", this.keyed);
     for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) addEventListener(name, this.dragged);
     addEventListener("beforeunload", this.leaving);
@@ -95,7 +103,6 @@ export class App extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.narrow.removeEventListener("change", this.narrowed);
-    this.dark.removeEventListener("change", this.themed);
     removeEventListener("keydown", this.keyed);
     for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) removeEventListener(name, this.dragged);
     removeEventListener("beforeunload", this.leaving);
@@ -104,12 +111,13 @@ export class App extends LitElement {
   }
 
   protected override firstUpdated(): void {
-    this.session.start(this.host);
-    globalThis.rigless = debugPage(this.session);
-    for (const topic of ["panel", "help", "jobs", "pins", "coverage"] as const) this.session.on(topic, () => this.loadLate());
+    const { session } = this;
+    void session.start(() => this.buildStage(this.host));
+    globalThis.rigless = debugPage(session);
+    for (const topic of ["panel", "help", "jobs", "pins", "coverage"] as const) session.signals.on(topic, () => this.loadLate());
     for (const topic of ["panel", "notices", "intro", "jobs", "pairing", "pins", "coverage", "stage"] as const)
-      this.session.on(topic, () => this.reframe());
-    this.session.on("panel", () => {
+      session.signals.on(topic, () => this.reframe());
+    session.signals.on("panel", () => {
       this.sheetOpen = true;
       this.requestUpdate();
     });
@@ -123,7 +131,8 @@ export class App extends LitElement {
 
   protected override render() {
     const { session } = this;
-    const panel = session.panel ? html`<div class="panel">${PANELS[session.panel](session)}</div>` : "";
+    const { panel: name } = session.selection;
+    const panel = name ? html`<div class="panel">${PANELS[name](session)}</div>` : "";
     const inspector = html`<rigless-inspector role="complementary" aria-label="Inspector" .session=${session}></rigless-inspector>`;
     const rail = html`<rigless-rail .session=${session}></rigless-rail>`;
     return html`
@@ -146,8 +155,9 @@ export class App extends LitElement {
       ${
         this.phone
           ? html`<div class="sheet">
-            <button class="handle" aria-label=${this.sheetOpen ? "Fold the sheet" : "Unfold the sheet"} aria-expanded=${this.sheetOpen} @click=${() => (this.sheetOpen = !this.sheetOpen)}></button>
-            ${this.sheetOpen ? (session.panel ? panel : inspector) : ""}</div>${rail}`
+            <button class="handle" aria-label=${this.sheetOpen ? "Fold the sheet" : "Unfold the sheet"} aria-expanded=${this.sheetOpen}
+              @click=${() => (this.sheetOpen = !this.sheetOpen)}></button>
+            ${this.sheetOpen ? (name ? panel : inspector) : ""}</div>${rail}`
           : html`<div class="left">${rail}${panel}</div>${inspector}`
       }
       ${this.dropping ? html`<rigless-drop></rigless-drop>` : ""}
@@ -159,14 +169,12 @@ export class App extends LitElement {
     this.phone = this.narrow.matches;
   };
 
-  private readonly themed = (): void => this.session.viewport?.refreshTheme();
-
   private readonly keyed = (event: KeyboardEvent): void => {
-    if (!event.defaultPrevented && handleKey(this.session, event)) event.preventDefault();
+    if (!event.defaultPrevented && handleKey(this.session.actions, pressOf(event))) event.preventDefault();
   };
 
   private readonly leaving = (event: BeforeUnloadEvent): void => {
-    if (!this.session.saved && this.session.touched) event.preventDefault();
+    if (this.session.history.unsaved) event.preventDefault();
   };
 
   private readonly dragged = (event: DragEvent): void => {
@@ -175,7 +183,7 @@ export class App extends LitElement {
     if (event.type === "drop") {
       this.dropping = false;
       const files = [...event.dataTransfer.files];
-      void this.session.openFiles(files);
+      void this.session.opening.files(files);
     } else if (event.type === "dragleave") {
       if (event.relatedTarget === null) this.dropping = false;
     } else {
@@ -213,7 +221,7 @@ export class App extends LitElement {
     const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(intro.chips)].map(
       (rect) => rect?.top ?? stage.bottom,
     );
-    this.session.setInsets({
+    this.session.presenter.setInsets({
       left: Math.max(0, left - stage.left),
       top: top - stage.top,
       right: Math.max(0, stage.right - right),

@@ -1,11 +1,9 @@
-import type { ProjectDocument } from "../document/types";
-import type { Performance } from "../engine/types";
 import type { Session } from "../app/session";
 
 /** A look at what the page holds, for the console and for tests. Reads only. */
 export interface DebugPage {
-  readonly document: ProjectDocument;
-  readonly performance: Performance | null;
+  readonly document: Session["document"];
+  readonly performance: Session["performance"];
   /** The frame at the playhead, and how many there are. */
   readonly frame: number;
   readonly frames: number;
@@ -24,7 +22,8 @@ declare global {
 }
 
 export function debugPage(session: Session): DebugPage {
-  const { workspace, player } = session;
+  const { context } = session;
+  const { workspace, player } = context;
   return {
     get document() {
       return session.document;
@@ -42,7 +41,7 @@ export function debugPage(session: Session): DebugPage {
       return player.playing;
     },
     get solving() {
-      return session.solving;
+      return context.solving;
     },
     get stale() {
       return workspace.cache.staleCount;

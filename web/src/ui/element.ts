@@ -1,11 +1,12 @@
 import { LitElement, type PropertyValues } from "lit";
 import { property } from "lit/decorators.js";
-import type { Session, SessionEvents } from "../app/session";
+import type { Session } from "../app/session";
+import type { Topics } from "../app/signals";
 
 /** A part of the page: draws what the session says, again whenever one of its topics changes. */
 export abstract class SessionElement extends LitElement {
   @property({ attribute: false }) session!: Session;
-  protected abstract readonly topics: readonly (keyof SessionEvents)[];
+  protected abstract readonly topics: readonly (keyof Topics)[];
   private stops: (() => void)[] = [];
 
   override connectedCallback(): void {
@@ -25,7 +26,7 @@ export abstract class SessionElement extends LitElement {
   private listen(): void {
     this.unlisten();
     if (!this.session) return;
-    this.stops = this.topics.map((topic) => this.session.on(topic, () => this.requestUpdate()));
+    this.stops = this.topics.map((topic) => this.session.signals.on(topic, () => this.requestUpdate()));
   }
 
   private unlisten(): void {

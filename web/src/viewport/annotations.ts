@@ -7,8 +7,8 @@ import type { PointHand } from "./point-hand";
 import { pointColour, type PointHit, type PlacedMark, PointOverlay } from "./point-overlay";
 import type { Figures } from "./figures";
 import { type PairLine, PairLines } from "./pair-lines";
-import type { Stage } from "./stage";
-import type { PointMark, ViewMode } from "./types";
+import type { Scenery } from "./scenery";
+import type { PointMark, StageLook } from "../stage/port";
 
 const POINT_REACH = { mouse: 14, touch: 24, chasing: 40 };
 const JOINT_REACH = { mouse: 22, touch: 32 };
@@ -18,8 +18,9 @@ const OCCLUSION_PAUSE = 120;
 export class Annotations {
   readonly overlay = new PointOverlay();
   readonly lines = new PairLines();
-  mode: ViewMode = "pose";
-  live: { id: string } | { joint: number } | null = null;
+  mode: StageLook["mode"] = "pose";
+  /** The dot that the live pair line starts from. */
+  live: string | null = null;
   /** Where the pointer rests, if it is over the stage and up. */
   pointer: Point | null = null;
   /** Second line of the held dot's tag. */
@@ -36,7 +37,7 @@ export class Annotations {
 
   /** `again`: asks for another update() soon. */
   constructor(
-    private readonly stage: Stage,
+    private readonly scenery: Scenery,
     private readonly rig: CameraRig,
     private readonly figures: Figures,
     private readonly hand: PointHand,
@@ -91,7 +92,7 @@ export class Annotations {
     const { camera } = this.rig;
     this.world.set((2 * at.x) / this.size.width - 1, 1 - (2 * at.y) / this.size.height, 0.5).unproject(camera);
     const direction = this.direction.subVectors(this.world, camera.position).normalize();
-    return this.figures.picker?.vertexAt(this.world.copy(camera.position).sub(this.stage.model.offset), direction) ?? -1;
+    return this.figures.picker?.vertexAt(this.world.copy(camera.position).sub(this.scenery.model.offset), direction) ?? -1;
   }
 
   /** Model world: on the surface, or where the hand asks it to be. */
@@ -106,7 +107,7 @@ export class Annotations {
   /** Scene. */
   private markPosition(mark: PlacedMark, out: Vector3): Vector3 {
     if (mark.on === "human") return this.figures.joint(mark.point.joint, out);
-    return this.pointPosition(mark.point, out).add(this.stage.model.offset);
+    return this.pointPosition(mark.point, out).add(this.scenery.model.offset);
   }
 
   /** Rays cost a refit of the tree, so while things move they are cast a few times a second. */
@@ -122,7 +123,7 @@ export class Annotations {
     }
     this.occlusionTime = now;
     this.occlusionStale = false;
-    const eye = this.rig.camera.position.clone().sub(this.stage.model.offset);
+    const eye = this.rig.camera.position.clone().sub(this.scenery.model.offset);
     for (const mark of this.overlay.marks) {
       if (mark.on === "human") continue;
       const distance = this.direction.subVectors(this.pointPosition(mark.point, this.world), eye).length();
@@ -138,7 +139,7 @@ export class Annotations {
       const from = this.overlay.find(point.id, "human");
       const to = this.overlay.find(point.id, "model");
       if (!from || !to || from.button.hidden || to.button.hidden) continue;
-      lines.push({ from: from.at, to: to.at, colour: pointColour(point.number), kind: point.guess ? "guess" : "pair" });
+      lines.push({ from: from.at, to: to.at, colour: pointColour(point.number), kind: "pair" });
     }
     const live = this.liveLine();
     return live ? [...lines, live] : lines;
@@ -147,11 +148,7 @@ export class Annotations {
   private liveLine(): PairLine | null {
     const { live, pointer } = this;
     if (!live || !pointer) return null;
-    if ("joint" in live) {
-      const from = this.rig.project(this.figures.joint(live.joint, this.world), { ...this.spot });
-      return { from, to: pointer, colour: "var(--pencil, #166e94)", kind: "live" };
-    }
-    const mark = this.overlay.find(live.id, "model");
+    const mark = this.overlay.find(live, "model");
     return mark && { from: mark.at, to: pointer, colour: pointColour(mark.point.number), kind: "live" };
   }
 
@@ -159,7 +156,7 @@ export class Annotations {
     const { overlay, lines, pointer } = this;
     const mark = overlay.named();
     if (this.hand.holding && mark) {
-      const start = this.rig.project(this.holdStart(mark.point, this.world).add(this.stage.model.offset), this.spot);
+      const start = this.rig.project(this.holdStart(mark.point, this.world).add(this.scenery.model.offset), this.spot);
       lines.setLead(start, mark.at);
       lines.setProbe(start);
       overlay.showTag(this.holdWords(mark.point), mark.at, 26);
@@ -196,12 +193,12 @@ export class Annotations {
   private candidate(at: Point): { at: Projected; words: string | null } | null {
     const joint = this.jointAt(at, false);
     if (joint >= 0) {
-      const place = this.rig.project(this.figures.joint(joint, this.world), { ...this.spot });
-      return { at: place, words: this.figures.jointLabel(joint) };
+      const spot = this.rig.project(this.figures.joint(joint, this.world), { ...this.spot });
+      return { at: spot, words: this.figures.jointLabel(joint) };
     }
     const vertex = this.vertexAt(at);
     if (vertex < 0) return null;
-    this.figures.vertex(vertex, this.world).add(this.stage.model.offset);
+    this.figures.vertex(vertex, this.world).add(this.scenery.model.offset);
     return { at: this.rig.project(this.world, { ...this.spot }), words: null };
   }
 }

@@ -2,7 +2,7 @@
 // part it draws as plain capsules.
 
 import type { BodyPart, JointName, Side } from "../skeleton/joint-names";
-import type { DrawnHuman } from "./types";
+import type { DrawnHuman } from "../stage/port";
 
 export interface Bone {
   from: number;

@@ -3,10 +3,10 @@
 import type { Vector3 } from "three";
 import { Mannequin } from "./mannequin";
 import { ModelFigure } from "./model-figure";
-import { HUMAN_WIDTH, type Stage } from "./stage";
+import { HUMAN_WIDTH, type Scenery } from "./scenery";
 import type { SurfacePicker } from "./surface-picker";
 import type { Theme } from "./theme";
-import type { DrawnHuman, DrawnModel } from "./types";
+import type { DrawnHuman, DrawnModel } from "../stage/port";
 
 export class Figures {
   model: ModelFigure | null = null;
@@ -22,12 +22,12 @@ export class Figures {
   private rays: typeof SurfacePicker | null = null;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly scenery: Scenery,
     private theme: Theme,
   ) {}
 
   setModel(model: DrawnModel | null): void {
-    const { model: lane } = this.stage;
+    const { model: lane } = this.scenery;
     if (this.model) lane.group.remove(this.model.group);
     this.model?.dispose();
     this.model = model && new ModelFigure(model);
@@ -36,11 +36,11 @@ export class Figures {
     this.ghost = null;
     if (this.model) lane.group.add(this.model.group);
     lane.shadow.mesh.visible = this.model !== null;
-    this.stage.setWidth(lane, this.model ? modelWidth(this.model.rest) : 0);
+    this.scenery.setWidth(lane, this.model ? modelWidth(this.model.rest) : 0);
   }
 
   setHuman(human: DrawnHuman | null): void {
-    const { human: lane } = this.stage;
+    const { human: lane } = this.scenery;
     if (this.mannequin) lane.group.remove(this.mannequin.group);
     this.mannequin?.dispose();
     this.human = human;
@@ -48,7 +48,7 @@ export class Figures {
     this.nextPose = null;
     if (this.mannequin) lane.group.add(this.mannequin.group);
     lane.shadow.mesh.visible = false; // until there is a pose
-    this.stage.setWidth(lane, human ? HUMAN_WIDTH : 0);
+    this.scenery.setWidth(lane, human ? HUMAN_WIDTH : 0);
     this.dressHuman();
   }
 
@@ -90,26 +90,26 @@ export class Figures {
 
   /** Where both stand on one spot, the human shows through the model; who asks is in blue pencil. */
   dressHuman(): void {
-    this.mannequin?.setSeenThrough(this.stage.overlay, this.theme.stage);
+    this.mannequin?.setSeenThrough(this.scenery.overlay, this.theme.stage);
     this.mannequin?.setPencil(this.asking ? this.theme.pencilSoft : null);
   }
 
   /** Draws what arrived since the last frame and says what it was. */
   take(): { surface: boolean; pose: boolean } {
-    const { model, mannequin, nextVertices, nextPose, stage } = this;
+    const { model, mannequin, nextVertices, nextPose, scenery } = this;
     const surface = model !== null && nextVertices !== null && nextVertices.length >= model.rest.length;
     const pose = mannequin !== null && nextPose !== null;
     if (surface) {
       model.setVertices(nextVertices);
       this.picker?.setVertices(nextVertices);
-      standOn(stage.model, nextVertices);
+      standOn(scenery.model, nextVertices);
     }
     if (pose) {
       mannequin.setPose(nextPose);
-      stage.human.traveller.ground.set(nextPose[0]!, nextPose[2]!);
-      stage.human.top = mannequin.top();
-      stage.human.shadow.mesh.visible = true;
-      mannequin.darken(stage.human.shadow);
+      scenery.human.traveller.ground.set(nextPose[0]!, nextPose[2]!);
+      scenery.human.top = mannequin.top();
+      scenery.human.shadow.mesh.visible = true;
+      mannequin.darken(scenery.human.shadow);
     }
     this.nextVertices = this.nextPose = null;
     return { surface, pose };
@@ -123,7 +123,7 @@ export class Figures {
   /** Scene. */
   joint(joint: number, out: Vector3): Vector3 {
     if (!this.mannequin?.pose) return out.set(0, 0, 1e4); // behind the camera: not shown
-    return this.mannequin.seen(joint, out).add(this.stage.human.offset);
+    return this.mannequin.seen(joint, out).add(this.scenery.human.offset);
   }
 
   jointLabel(joint: number): string {
@@ -158,7 +158,7 @@ function modelWidth(rest: Float32Array): number {
 }
 
 /** Finds where a model is and darkens the ground under its lowest vertices. */
-function standOn(lane: Stage["model"], vertices: Float32Array): void {
+function standOn(lane: Scenery["model"], vertices: Float32Array): void {
   const {
     shadow,
     traveller: { ground },

@@ -1,6 +1,6 @@
 // How far the camera stands and how the picture is shifted so that figures fill the free part of the stage. Pixels are CSS pixels.
 
-import type { Insets } from "./types";
+import type { Insets } from "../stage/port";
 
 export const FIELD_OF_VIEW = 28;
 /** The camera looks at this height over the ground, from a little to the right and above. */

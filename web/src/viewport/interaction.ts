@@ -8,7 +8,7 @@ import type { CameraRig } from "./camera-rig";
 import type { PointHand } from "./point-hand";
 import type { PointHit, PlacedMark } from "./point-overlay";
 import { Pointer } from "./pointer";
-import type { ViewportEvents } from "./types";
+import type { StageEvents } from "../stage/port";
 
 /** A press this soon after the hand came near is meant for the dot, even where it has danced on by some pixels. */
 const CHASE_MS = 600;
@@ -27,7 +27,7 @@ export class Interaction {
     private readonly rig: CameraRig,
     private readonly hand: PointHand,
     private readonly marks: Annotations,
-    private readonly events: Emitter<ViewportEvents>,
+    private readonly events: Emitter<StageEvents>,
     private readonly refresh: () => void,
     /** The model has just moved by itself. */
     private readonly moving: () => boolean,

@@ -23,7 +23,7 @@ import {
 import { type BodyPlan, buildBodyPlan, highestLeaf } from "./body-plan";
 import type { ContactShadow } from "./contact-shadow";
 import { TorsoSkin } from "./torso-skin";
-import type { DrawnHuman } from "./types";
+import type { DrawnHuman } from "../stage/port";
 
 const UP = new Vector3(0, 1, 0);
 const HEAD = { width: 0.1, height: 0.135, depth: 0.11 };

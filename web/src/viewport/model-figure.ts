@@ -15,7 +15,7 @@ import { Ghost } from "./ghost";
 import { buildTopology, type Topology } from "./normals";
 import { Shape } from "./shape";
 import type { Theme } from "./theme";
-import type { DrawnModel } from "./types";
+import type { DrawnModel } from "../stage/port";
 
 const CLAY = "#e4d2bf";
 

@@ -8,7 +8,7 @@ export interface PairLine {
   from: Point;
   to: Point;
   colour: string;
-  kind: "pair" | "guess" | "live";
+  kind: "pair" | "live";
 }
 
 export class PairLines {
@@ -40,8 +40,8 @@ export class PairLines {
       if (!line) return;
       const d = arcPath(line.from, line.to);
       casing.setAttribute("class", "casing");
-      stroke.setAttribute("class", line.kind === "pair" ? "pair" : `pair ${line.kind}`);
-      stroke.style.stroke = line.kind === "guess" ? "" : line.colour;
+      stroke.setAttribute("class", line.kind === "live" ? "pair live" : "pair");
+      stroke.style.stroke = line.colour;
       casing.setAttribute("d", d);
       stroke.setAttribute("d", d);
     });

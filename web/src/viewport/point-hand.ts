@@ -3,7 +3,7 @@
 import { Vector3 } from "three";
 import type { CameraRig } from "./camera-rig";
 import type { Emitter } from "../util/emitter";
-import type { ViewportEvents } from "./types";
+import type { StageEvents } from "../stage/port";
 
 const STEP = 0.01;
 const FINE_STEP = 0.002;
@@ -26,7 +26,7 @@ export class PointHand {
 
   /** `offset`: from the model's world to the drawn scene. */
   constructor(
-    private readonly events: Emitter<ViewportEvents>,
+    private readonly events: Emitter<StageEvents>,
     private readonly rig: CameraRig,
     private readonly offset: Vector3,
   ) {}

@@ -1,7 +1,7 @@
 // Numbered marks as real buttons over the picture: crisp, focusable, each projected anew every frame.
 
 import type { Projected } from "./camera-rig";
-import type { PointMark, Insets } from "./types";
+import type { PointMark, Insets } from "../stage/port";
 
 export type Figure = "model" | "human";
 
@@ -199,7 +199,7 @@ export class PointOverlay {
 function dress({ button, point, on }: PlacedMark, joint: string | null): void {
   button.classList.add("point", on);
   button.classList.toggle("unpaired", joint === null);
-  button.classList.toggle("offered", point.offered ?? false);
+  button.classList.toggle("suggested", point.suggested ?? false);
   button.classList.toggle("twin", point.twin ?? false);
   button.classList.toggle("square", point.number > COLOURS.length);
   button.dataset["point"] = point.id;
@@ -208,7 +208,7 @@ function dress({ button, point, on }: PlacedMark, joint: string | null): void {
   button.style.setProperty("--on-c", `var(--on-p${i}, ${i === 4 || i === 7 ? "#fff" : "#0b1117"})`);
   const span = button.firstElementChild as HTMLSpanElement;
   span.className = "mark";
-  span.textContent = point.offered ? "+" : String(point.number);
+  span.textContent = point.suggested ? "+" : String(point.number);
   const pair = joint === null ? "not paired" : on === "model" ? `follows ${joint}` : `on the human: ${joint}`;
-  button.setAttribute("aria-label", point.offered ? `Add a point: ${point.name}` : `${point.number}, ${point.name}, ${pair}`);
+  button.setAttribute("aria-label", point.suggested ? `Add a point: ${point.name}` : `${point.number}, ${point.name}, ${pair}`);
 }

@@ -1,5 +1,6 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
+import type { DrawnHuman, DrawnModel, Insets, PointMark, StageEvents, StageLook, StagePort } from "../stage/port";
 import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
 import { CameraRig } from "./camera-rig";
@@ -8,22 +9,21 @@ import { Figures } from "./figures";
 import { Interaction } from "./interaction";
 import { overlayStyle } from "./overlay-style";
 import { QualityGovernor } from "./quality";
-import { Stage } from "./stage";
+import { Scenery } from "./scenery";
 import { readTheme, type Theme } from "./theme";
-import { Thumbnails } from "./thumbnail";
-import type { PointMark, DrawnHuman, DrawnModel, Insets, ViewMode, ViewportApi, ViewportEvents } from "./types";
+import { ThumbnailPainter } from "./thumbnail-painter";
 
-export class Viewport implements ViewportApi {
+export class Viewport implements StagePort {
   private readonly root = document.createElement("div");
   private readonly shadow = this.root.attachShadow({ mode: "open" });
-  private readonly events = new Emitter<ViewportEvents>();
-  private readonly stage: Stage;
+  private readonly events = new Emitter<StageEvents>();
+  private readonly scenery: Scenery;
   private readonly rig: CameraRig;
   private readonly figures: Figures;
   private readonly hand: PointHand;
-  private readonly marks: Annotations;
+  private readonly annotations: Annotations;
   private readonly interaction: Interaction;
-  private readonly thumbnails: Thumbnails;
+  private readonly thumbnails: ThumbnailPainter;
   private readonly governor: QualityGovernor;
   private readonly observer: ResizeObserver;
   private readonly abort = new AbortController();
@@ -45,28 +45,30 @@ export class Viewport implements ViewportApi {
     host.append(this.root);
 
     const theme = readTheme(this.shadow);
-    this.stage = new Stage(canvas, still);
-    this.governor = new QualityGovernor(this.stage.rendererName());
-    this.stage.setQuality(this.governor.quality);
+    this.scenery = new Scenery(canvas, still);
+    this.governor = new QualityGovernor(this.scenery.rendererName());
+    this.scenery.setQuality(this.governor.quality);
     this.rig = new CameraRig(this.root, still, () => this.invalidate());
-    this.hand = new PointHand(this.events, this.rig, this.stage.model.offset);
-    this.figures = new Figures(this.stage, theme);
-    this.marks = new Annotations(this.stage, this.rig, this.figures, this.hand, () => this.refreshMarks());
-    this.thumbnails = new Thumbnails(this.stage.renderer);
+    this.hand = new PointHand(this.events, this.rig, this.scenery.model.offset);
+    this.figures = new Figures(this.scenery, theme);
+    this.annotations = new Annotations(this.scenery, this.rig, this.figures, this.hand, () => this.refreshMarks());
+    this.thumbnails = new ThumbnailPainter(this.scenery.renderer);
     this.shadow.adoptedStyleSheets = [overlayStyle()];
-    this.shadow.append(canvas, this.marks.lines.element, this.marks.overlay.element);
+    this.shadow.append(canvas, this.annotations.lines.element, this.annotations.overlay.element);
     this.paint(theme);
 
     this.interaction = new Interaction(
       this.root,
       this.rig,
       this.hand,
-      this.marks,
+      this.annotations,
       this.events,
       () => this.refreshMarks(),
       () => performance.now() - this.movedAt < 1200,
     );
     this.listenToContext(canvas);
+    const dark = matchMedia("(prefers-color-scheme: dark)");
+    dark.addEventListener("change", () => this.paint(readTheme(this.shadow)), { signal: this.abort.signal });
     this.listenForHand();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
@@ -74,7 +76,7 @@ export class Viewport implements ViewportApi {
     this.fit();
   }
 
-  on<K extends keyof ViewportEvents>(name: K, listener: (detail: ViewportEvents[K]) => void): () => void {
+  on<K extends keyof StageEvents>(name: K, listener: (detail: StageEvents[K]) => void): () => void {
     return this.events.on(name, listener);
   }
 
@@ -105,55 +107,32 @@ export class Viewport implements ViewportApi {
   setPoints(points: readonly PointMark[], selected: string | null): void {
     this.points = points;
     this.selected = selected;
-    this.marks.setPoints(points, selected);
+    this.annotations.setPoints(points, selected);
     this.refreshMarks();
-  }
-
-  pulse(id: string | null): void {
-    this.marks.overlay.pulse(id);
   }
 
   /** The clip began again: the figures go on from where they are, on ground that goes on under them. */
   beginAgain(): void {
-    this.stage.beginAgain();
+    this.scenery.beginAgain();
   }
 
-  setMode(mode: ViewMode): void {
-    this.marks.mode = mode;
-    this.refreshMarks();
-  }
-
-  setGhost(positions: Float32Array | null): void {
-    this.figures.setGhost(positions);
-    this.invalidate();
-  }
-
-  setAsking(asking: boolean): void {
-    this.figures.setAsking(asking);
-    this.invalidate();
-  }
-
-  setLivePair(from: { id: string } | { joint: number } | null): void {
-    this.marks.live = from;
-    this.refreshMarks();
-  }
-
-  setNote(words: string): void {
-    this.marks.note = words;
-    this.refreshMarks();
+  setLook({ mode, layout, pulse, livePair, asking, ghost, note }: Partial<StageLook>): void {
+    const { annotations, figures } = this;
+    if (mode !== undefined) annotations.mode = mode;
+    if (livePair !== undefined) annotations.live = livePair;
+    if (note !== undefined) annotations.note = note;
+    if (pulse !== undefined) annotations.overlay.pulse(pulse);
+    if (asking !== undefined) figures.setAsking(asking);
+    if (ghost !== undefined) figures.setGhost(ghost);
+    if (layout !== undefined) this.setLayout(layout);
+    if (asking === undefined && ghost === undefined && layout === undefined) this.refreshMarks();
+    else this.invalidate();
   }
 
   setInsets(insets: Insets): void {
     this.insets = { ...insets };
-    this.marks.overlay.insets = this.insets;
+    this.annotations.overlay.insets = this.insets;
     this.rig.setView({ ...this.size, insets: this.insets });
-    this.invalidate();
-  }
-
-  setLayout(layout: "side" | "overlay"): void {
-    this.stage.setOverlay(layout === "overlay");
-    this.figures.dressHuman();
-    this.rig.setContent(this.stage.content);
     this.invalidate();
   }
 
@@ -172,10 +151,6 @@ export class Viewport implements ViewportApi {
     return url;
   }
 
-  refreshTheme(): void {
-    this.paint(readTheme(this.shadow));
-  }
-
   dispose(): void {
     cancelAnimationFrame(this.frame);
     this.lost = true; // nothing draws any more
@@ -183,14 +158,21 @@ export class Viewport implements ViewportApi {
     this.observer.disconnect();
     this.interaction.dispose();
     this.rig.dispose();
-    this.marks.dispose();
+    this.annotations.dispose();
     this.thumbnails.dispose();
     this.figures.dispose();
-    this.stage.dispose();
+    this.scenery.dispose();
     this.root.remove();
   }
 
   // Drawing
+
+  private setLayout(layout: StageLook["layout"]): void {
+    if (this.scenery.overlay === (layout === "overlay")) return;
+    this.scenery.setOverlay(layout === "overlay");
+    this.figures.dressHuman();
+    this.rig.setContent(this.scenery.content);
+  }
 
   private invalidate(): void {
     this.pictureStale = true;
@@ -204,8 +186,8 @@ export class Viewport implements ViewportApi {
     this.frame = requestAnimationFrame((now) => {
       this.frame = 0;
       if (this.pictureStale && this.governor.note(performance.now() - asked)) {
-        this.stage.setQuality(this.governor.quality);
-        this.stage.resize(this.size.width, this.size.height, this.pixelRatio());
+        this.scenery.setQuality(this.governor.quality);
+        this.scenery.resize(this.size.width, this.size.height, this.pixelRatio());
       }
       this.tick(now);
     });
@@ -215,20 +197,20 @@ export class Viewport implements ViewportApi {
     const seconds = Math.min(0.1, (now - this.before) / 1000);
     this.before = now;
     this.takeShapes();
-    const following = this.stage.follow(seconds, this.hand.holding);
+    const following = this.scenery.follow(seconds, this.hand.holding);
     const turning = this.rig.update(seconds);
     if (following || turning) {
-      this.marks.occlusionStale = true;
+      this.annotations.occlusionStale = true;
       this.invalidate();
     }
-    this.marks.update(now);
+    this.annotations.update(now);
     if (this.pictureStale) this.draw();
     if (following || turning) this.invalidate();
   }
 
   private draw(): void {
     if (this.lost) return;
-    this.stage.render(this.rig.camera, this.rig.controls.distance);
+    this.scenery.render(this.rig.camera, this.rig.controls.distance);
     this.pictureStale = false;
   }
 
@@ -236,19 +218,19 @@ export class Viewport implements ViewportApi {
     const { surface, pose } = this.figures.take();
     if (!surface && !pose) return;
     if (surface) this.hand.settle();
-    this.marks.occlusionStale = true;
-    this.stage.arrange();
-    if (!this.hand.holding) this.rig.setContent(this.stage.content); // nothing moves under the hand
+    this.annotations.occlusionStale = true;
+    this.scenery.arrange();
+    if (!this.hand.holding) this.rig.setContent(this.scenery.content); // nothing moves under the hand
   }
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.root;
     if (width < 1 || height < 1) return;
     this.size = { width, height };
-    this.stage.resize(width, height, this.pixelRatio());
+    this.scenery.resize(width, height, this.pixelRatio());
     this.rig.setView({ width, height, insets: this.insets });
     this.figures.setViewSize(width, height);
-    this.marks.setSize(width, height);
+    this.annotations.setSize(width, height);
     // A resized canvas is blank: draw in the same frame, or it flickers.
     cancelAnimationFrame(this.frame);
     this.frame = 0;
@@ -261,7 +243,7 @@ export class Viewport implements ViewportApi {
   }
 
   private paint(theme: Theme): void {
-    this.stage.setTheme(theme);
+    this.scenery.setTheme(theme);
     this.figures.setTheme(theme);
     this.thumbnails.setDark(theme.dark);
     this.invalidate();
@@ -276,7 +258,7 @@ export class Viewport implements ViewportApi {
         () => {
           hand.abort();
           void this.figures.loadRays().then(() => {
-            this.marks.occlusionStale = true;
+            this.annotations.occlusionStale = true;
             this.refreshMarks();
           });
         },
@@ -300,7 +282,7 @@ export class Viewport implements ViewportApi {
       "webglcontextrestored",
       () => {
         this.lost = false;
-        this.stage.arrange();
+        this.scenery.arrange();
         this.invalidate();
         this.events.emit("context-restored", {});
       },

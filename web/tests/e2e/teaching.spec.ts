@@ -172,7 +172,8 @@ test("how soon the new dance is there after a drag (printed, not judged)", async
   }
   const sorted = times.toSorted((a, b) => a - b);
   console.log(
-    `a dragged pose to the first frame of the new dance: median ${sorted[2].toFixed(0)} ms, ${sorted[0].toFixed(0)} to ${sorted[4].toFixed(0)}`,
+    `a dragged pose to the first frame of the new dance: median ${sorted[2].toFixed(0)} ms, ` +
+      `${sorted[0].toFixed(0)} to ${sorted[4].toFixed(0)}`,
   );
   expect(times).toHaveLength(5);
 });

@@ -221,7 +221,8 @@ describe("STL", () => {
         ][v],
     ),
   );
-  const ascii = `solid t\n${corners.map((f) => `facet normal 0 0 0\nouter loop\n${f.map((v) => `vertex ${v.join(" ")}\n`).join("")}endloop\nendfacet\n`).join("")}endsolid t\n`;
+  const facets = corners.map((f) => `outer loop\n${f.map((v) => `vertex ${v.join(" ")}\n`).join("")}endloop\n`);
+  const ascii = `solid t\n${facets.map((loop) => `facet normal 0 0 0\n${loop}endfacet\n`).join("")}endsolid t\n`;
 
   function binary(title: string): Uint8Array {
     const view = new DataView(new ArrayBuffer(84 + 50 * corners.length));

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { buildBodyPlan, highestLeaf, type BodyPlan } from "../../src/viewport/body-plan";
 import { describeJoints } from "../../src/skeleton/pair-joints";
-import type { DrawnHuman } from "../../src/viewport/types";
+import type { DrawnHuman } from "../../src/stage/port";
 import { namedJoints } from "../support/joints";
 
 type Named = DrawnHuman & { names: string[] };

@@ -1,14 +1,16 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Pin } from "../../document/types";
+import type { ContactRow } from "../../app/contacts";
+import type { Pin } from "../../app/pins";
+import { movedRun } from "../../app/runs";
+import type { Grip, Run } from "../../app/runs";
+import { FLIGHTS } from "../../app/selection";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { badge, pointStyle } from "../point-colors";
-import { FLIGHTS } from "../../app/contacts";
-import type { ContactRow } from "../../app/contacts";
 import { base } from "../styles";
-import { movedRun } from "../timeline-model";
-import type { Grip, Run } from "../timeline-model";
+
+const GRIPS = ["begin", "end"] as const;
 
 /** A bar in the hand, or one that is being drawn. */
 interface Held {
@@ -22,7 +24,7 @@ interface Held {
 
 /** Who stands on the ground when, as bars that can be moved, drawn and deleted; and the pins as flags. */
 @customElement("rigless-contact-rows")
-export class Contacts extends SessionElement {
+export class ContactRows extends SessionElement {
   protected readonly topics = ["document", "solve", "selection", "pins", "frame"] as const;
   private held: Held | null = null;
 
@@ -33,7 +35,8 @@ export class Contacts extends SessionElement {
       .rows { max-height: 73px; overflow-y: auto; scrollbar-width: thin; }
       .pair { display: grid; grid-template-columns: var(--label) minmax(0, 1fr); height: 24px; }
       .name { display: flex; align-items: center; min-width: 0; border-top: 1px solid transparent; }
-      .name button { background: none; border: 0; padding: 0; color: var(--ink-2); font: var(--t-small); text-align: left; cursor: pointer; border-radius: var(--r-s); min-width: 0; height: 100%; }
+      .name button { background: none; border: 0; padding: 0; color: var(--ink-2); font: var(--t-small); text-align: left;
+        cursor: pointer; border-radius: var(--r-s); min-width: 0; height: 100%; }
       .who { display: flex; align-items: center; gap: var(--s1); flex: 1; }
       .who span:last-child { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
       .name [aria-pressed="true"] { color: var(--ink); font-weight: 600; }
@@ -41,14 +44,20 @@ export class Contacts extends SessionElement {
       .reset .ico { width: 14px; height: 14px; }
       .lane { position: relative; margin: 0 var(--end) 0 var(--start); border-top: 1px solid var(--line); touch-action: pan-y; }
       .lane.sel { background: var(--well); cursor: crosshair; touch-action: none; }
-      .bar { position: absolute; top: 7px; height: 8px; left: var(--a); width: max(4px, var(--w)); border: 0; padding: 0; border-radius: 4px; background: var(--c); box-shadow: inset 0 0 0 1px color-mix(in oklab, var(--c), var(--ink) 40%); cursor: pointer; touch-action: none; }
-      .bar.air { --c: var(--pencil-soft, var(--line)); background: repeating-linear-gradient(135deg, var(--pencil) 0 1.5px, transparent 1.5px 5px); box-shadow: inset 0 0 0 1.25px var(--pencil); }
+      .bar { position: absolute; top: 7px; height: 8px; left: var(--a); width: max(4px, var(--w)); border: 0; padding: 0;
+        border-radius: 4px; background: var(--c); box-shadow: inset 0 0 0 1px color-mix(in oklab, var(--c), var(--ink) 40%);
+        cursor: pointer; touch-action: none; }
+      .bar.air { --c: var(--pencil-soft, var(--line));
+        background: repeating-linear-gradient(135deg, var(--pencil) 0 1.5px, transparent 1.5px 5px);
+        box-shadow: inset 0 0 0 1.25px var(--pencil); }
       .sel .bar { top: 5px; height: 12px; border-radius: 6px; cursor: grab; }
       .grip { position: absolute; top: -6px; bottom: -6px; width: 12px; cursor: ew-resize; }
-      .grip::after { content: ""; position: absolute; top: 4px; bottom: 4px; left: 3.5px; width: 5px; border-radius: 2px; background: var(--ink); }
+      .grip::after { content: ""; position: absolute; top: 4px; bottom: 4px; left: 3.5px; width: 5px; border-radius: 2px;
+        background: var(--ink); }
       .grip.begin { left: -6px; }
       .grip.end { right: -6px; }
-      .flag { position: absolute; z-index: 2; top: 1px; left: var(--f); width: 20px; height: 22px; margin-left: -4px; border: 0; padding: 0; background: none; cursor: pointer; border-radius: var(--r-s); }
+      .flag { position: absolute; z-index: 2; top: 1px; left: var(--f); width: 20px; height: 22px; margin-left: -4px; border: 0;
+        padding: 0; background: none; cursor: pointer; border-radius: var(--r-s); }
       .flag svg { width: 20px; height: 22px; overflow: visible; }
       .flag .cloth { fill: var(--c); stroke: var(--ink); stroke-width: 1.25; stroke-linejoin: round; }
       .flag .pole { stroke: var(--ink); stroke-width: 1.75; stroke-linecap: round; }
@@ -80,25 +89,34 @@ export class Contacts extends SessionElement {
 
   private renderRow(row: ContactRow, last: number) {
     const { session } = this;
-    const on = session.selected === row.id;
+    const on = session.selection.point === row.id;
+    const mark = row.number === null ? nothing : badge(row.number, { now: on });
     return html`<div class="pair ${on ? "sel" : ""}">
       <div class="name">
-        <button class="who" aria-pressed=${on} @click=${() => this.pick(row, !on)}>${row.number === null ? nothing : badge(row.number, { now: on })}<span>${row.name}</span></button>
-        ${row.edited ? html`<button class="reset" title="As in the motion again" aria-label="${row.name}: as in the motion again" @click=${() => session.contacts.reset(row.id)}>${icon("undo")}</button>` : nothing}
+        <button class="who" aria-pressed=${on} @click=${() => this.pick(row, !on)}>${mark}<span>${row.name}</span></button>
+        ${row.edited ? this.renderReset(row) : nothing}
       </div>
       <div class="lane ${on ? "sel" : ""}" style=${row.number === null ? "" : pointStyle(row.number)}
-        @pointerdown=${(event: PointerEvent) => this.draw(event, row)} @pointermove=${this.move} @pointerup=${this.release} @pointercancel=${this.release}>
+        @pointerdown=${(event: PointerEvent) => this.draw(event, row)} @pointermove=${this.move}
+        @pointerup=${this.release} @pointercancel=${this.release}>
         ${row.runs.map((run, at) => this.renderBar(row, run, at, last, on))}
         ${session.pins.here.filter((pin) => pin.point === row.id).map((pin) => this.renderFlag(pin, last))}
       </div></div>`;
   }
 
+  private renderReset({ id, name }: ContactRow) {
+    return html`<button class="reset" title="As in the motion again" aria-label="${name}: as in the motion again"
+      @click=${() => this.session.contacts.reset(id)}>${icon("undo")}</button>`;
+  }
+
   private renderBar(row: ContactRow, [a, b]: Run, at: number, last: number, on: boolean) {
     const where = row.id === FLIGHTS ? `In the air between ${a} and ${b}` : `On the ground from ${a} to ${b - 1}`;
-    return html`<button class="bar ${row.id === FLIGHTS ? "air" : ""}" title=${where} aria-label="${row.name}: ${where}. Arrows move its end, with Shift its beginning; Delete takes it away."
+    const how = "Arrows move its end, with Shift its beginning; Delete takes it away.";
+    const grab = (grip: Grip) => (event: PointerEvent) => this.grab(event, row, at, grip);
+    return html`<button class="bar ${row.id === FLIGHTS ? "air" : ""}" title=${where} aria-label="${row.name}: ${where}. ${how}"
       style="--a:${(100 * a) / last}%;--w:${(100 * (Math.min(b, last) - a)) / last}%"
-      @pointerdown=${(event: PointerEvent) => this.grab(event, row, at, "all")} @keydown=${(event: KeyboardEvent) => this.key(event, row, at)}>
-      ${on ? (["begin", "end"] as const).map((grip) => html`<span class="grip ${grip}" @pointerdown=${(event: PointerEvent) => this.grab(event, row, at, grip)}></span>`) : nothing}
+      @pointerdown=${grab("all")} @keydown=${(event: KeyboardEvent) => this.key(event, row, at)}>
+      ${on ? GRIPS.map((grip) => html`<span class="grip ${grip}" @pointerdown=${grab(grip)}></span>`) : nothing}
     </button>`;
   }
 
@@ -106,9 +124,10 @@ export class Contacts extends SessionElement {
     const { pins, player } = this.session;
     const on = pins.chosen === pin.id || pin.frame === player.frame;
     const says = pin.kind === "still" ? "stands still" : "held here";
-    return html`<button class="flag ${on ? "on" : ""}" style="--f:${(100 * Math.min(pin.frame, last)) / last}%" aria-pressed=${pins.chosen === pin.id}
+    const chosen = pins.chosen === pin.id;
+    return html`<button class="flag ${on ? "on" : ""}" style="--f:${(100 * Math.min(pin.frame, last)) / last}%" aria-pressed=${chosen}
       title="Pin at ${pin.frame}: ${says}" aria-label="Pin at frame ${pin.frame}: ${says}"
-      @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => pins.choose(pins.chosen === pin.id ? null : pin.id)}
+      @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => pins.choose(chosen ? null : pin.id)}
       @keydown=${(event: KeyboardEvent) => this.flagKey(event, pin)}>
       <svg viewBox="0 0 20 22" aria-hidden="true"><path class="pole" d="M4 3v18"/><path class="cloth" d="M4 3h13l-3 4.5 3 4.5H4Z"/>${
         pin.kind === "still" ? html`<svg><path class="sign" d="M7.5 7.5h4"/></svg>` : html`<svg><path class="sign" d="M9 7.5h.01"/></svg>`
@@ -116,7 +135,7 @@ export class Contacts extends SessionElement {
   }
 
   private pick(row: ContactRow, on: boolean): void {
-    this.session.select(on ? row.id : null);
+    this.session.selection.select(on ? row.id : null);
   }
 
   /** The frame under the pointer. */
@@ -128,7 +147,7 @@ export class Contacts extends SessionElement {
 
   private grab(event: PointerEvent, row: ContactRow, at: number, grip: Grip): void {
     event.stopPropagation();
-    if (this.session.selected !== row.id) {
+    if (this.session.selection.point !== row.id) {
       this.pick(row, true);
       return;
     }
@@ -139,7 +158,7 @@ export class Contacts extends SessionElement {
 
   /** On the empty lane of the chosen row a new bar is drawn. */
   private draw(event: PointerEvent, row: ContactRow): void {
-    if (this.session.selected !== row.id) {
+    if (this.session.selection.point !== row.id) {
       this.pick(row, true);
       return;
     }

@@ -16,12 +16,15 @@ export class CoverageStrip extends SessionElement {
       .lane { position: relative; margin: 0 var(--end) 0 var(--start); border-top: 1px solid var(--line); }
       svg { position: absolute; inset: 2px 0 0; width: 100%; height: calc(100% - 2px); overflow: visible; }
       path { fill: var(--pencil-soft, var(--well)); stroke: var(--pencil); stroke-width: 1.25; vector-effect: non-scaling-stroke; }
-      button { position: absolute; left: clamp(48px, var(--f), calc(100% - 48px)); top: 1px; height: 22px; transform: translateX(-50%); padding: 0 10px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--pencil); font: 600 11px/1 var(--font); box-shadow: inset 0 0 0 1.5px var(--pencil); cursor: pointer; white-space: nowrap; }
+      button { position: absolute; left: clamp(48px, var(--f), calc(100% - 48px)); top: 1px; height: 22px; transform: translateX(-50%);
+        padding: 0 10px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--pencil);
+        font: 600 11px/1 var(--font); box-shadow: inset 0 0 0 1.5px var(--pencil); cursor: pointer; white-space: nowrap; }
       button:hover { background: var(--well); }
       button::before { content: ""; position: absolute; inset: -11px -4px; }
       button:focus-visible { position: absolute; }
       @media (pointer: fine) { button::before { inset: -1px; } }
-      @media (max-width: 719px) { :host { grid-template-columns: minmax(0, 1fr); height: 29px; } .label { display: none; } button { height: 26px; } }
+      @media (max-width: 719px) { :host { grid-template-columns: minmax(0, 1fr); height: 29px; } .label { display: none;
+        } button { height: 26px; } }
     `,
   ];
 
@@ -32,15 +35,18 @@ export class CoverageStrip extends SessionElement {
     const { have, want } = performance.enough;
     const [best] = coverage.asked;
     const last = performance.frames - 1;
-    return html`<span class="label" title="How far each frame is from the nearest pose">${have < want ? `${have} of ${want} poses` : "Guesswork"}</span>
-      <div class="lane"><svg viewBox="0 0 ${last} 1" preserveAspectRatio="none" role="img" aria-label="Guesswork: ${this.words()}">${svg`<path d=${outline(performance.coverage)} />`}</svg>
-        ${best === undefined || coverage.asking !== null ? nothing : html`<button style="--f:${(100 * best) / last}%" title="Frame ${best} is the farthest from your poses" @click=${() => coverage.ask(best)}>Teach me here</button>`}
+    const label = have < want ? `${have} of ${want} poses` : "Guesswork";
+    const words = have < want ? `${have} of ${want} poses that would teach this dance` : "your poses teach this dance";
+    return html`<span class="label" title="How far each frame is from the nearest pose">${label}</span>
+      <div class="lane"><svg viewBox="0 0 ${last} 1" preserveAspectRatio="none" role="img" aria-label="Guesswork: ${words}"
+        >${svg`<path d=${outline(performance.coverage)} />`}</svg>
+        ${best === undefined || coverage.asking !== null ? nothing : this.renderQuestion(best, last)}
       </div>`;
   }
 
-  private words(): string {
-    const { enough } = this.session.performance!;
-    return enough.have < enough.want ? `${enough.have} of ${enough.want} poses that would teach this dance` : "your poses teach this dance";
+  private renderQuestion(best: number, last: number) {
+    return html`<button style="--f:${(100 * best) / last}%" title="Frame ${best} is the farthest from your poses"
+      @click=${() => this.session.coverage.ask(best)}>Teach me here</button>`;
   }
 }
 

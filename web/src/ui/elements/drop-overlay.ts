@@ -10,11 +10,13 @@ export class DropOverlay extends LitElement {
     base,
     css`
       :host { position: fixed; inset: 0; z-index: 20; pointer-events: none; }
-      .drop { position: absolute; inset: 12px; border-radius: 20px; border: 2.5px dashed var(--ink); background: light-dark(rgb(255 255 255 / .72), rgb(26 35 42 / .72)); }
+      .drop { position: absolute; inset: 12px; border-radius: 20px; border: 2.5px dashed var(--ink);
+        background: light-dark(rgb(255 255 255 / .72), rgb(26 35 42 / .72)); }
       .words { position: absolute; left: 0; right: 0; top: 12%; text-align: center; padding: 0 32px; }
       h2 { font: var(--t-display); letter-spacing: -.02em; }
       p { color: var(--ink-2); }
-      .card { position: absolute; top: 40%; display: flex; align-items: center; gap: 8px; padding: 10px 16px 10px 10px; background: var(--paper); border-radius: 12px; box-shadow: inset 0 0 0 1.5px var(--ink); }
+      .card { position: absolute; top: 40%; display: flex; align-items: center; gap: 8px; padding: 10px 16px 10px 10px;
+        background: var(--paper); border-radius: 12px; box-shadow: inset 0 0 0 1.5px var(--ink); }
       .card b { display: block; font: var(--t-strong); line-height: 18px; }
       .card span span { display: block; font: var(--t-small); color: var(--ink-3); }
       .left { left: 12%; transform: rotate(-5deg); }

@@ -19,7 +19,11 @@ export function gallery(tiles: readonly Tile[]) {
   return html`<ul class="gallery">${tiles.map(
     (tile) => html`<li>
     <button class="tile" aria-pressed=${tile.chosen} aria-busy=${tile.coming} title=${tile.detail} @click=${tile.choose}>
-      ${tile.picture ? html`<img src=${tile.picture} alt="" width="72" height="72" loading="lazy" decoding="async">` : html`<i>${icon(tile.fallback)}</i>`}
+      ${
+        tile.picture
+          ? html`<img src=${tile.picture} alt="" width="72" height="72" loading="lazy" decoding="async">`
+          : html`<i>${icon(tile.fallback)}</i>`
+      }
       <span>${tile.name}</span>${tile.coming ? html`<b></b>` : ""}</button></li>`,
   )}</ul>`;
 }
@@ -29,7 +33,9 @@ const FRAMES = 8;
 
 export const galleryStyle = css`
   .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(76px, 1fr)); gap: 4px; }
-  .tile { position: relative; display: grid; justify-items: center; gap: 2px; width: 100%; min-width: 0; padding: 4px 2px 6px; border: 0; border-radius: 12px; background: none; color: var(--ink); font: var(--t-small); cursor: pointer; transition: background var(--base), transform var(--bounce) var(--squash); }
+  .tile { position: relative; display: grid; justify-items: center; gap: 2px; width: 100%; min-width: 0; padding: 4px 2px 6px; border: 0;
+    border-radius: 12px; background: none; color: var(--ink); font: var(--t-small); cursor: pointer;
+    transition: background var(--base), transform var(--bounce) var(--squash); }
   .tile:hover { background: var(--desk); }
   .tile:active { transform: scale(1.04, .92); }
   .tile[aria-pressed="true"] { background: var(--well); font-weight: 600; }
@@ -46,7 +52,9 @@ export const galleryStyle = css`
   }
   @keyframes perform { to { object-position: 100% 0; } }
   /* the ball of a job, once it has taken a moment */
-  .tile b { position: absolute; left: 50%; top: 66px; width: 14px; height: 11px; margin-left: -7px; border-radius: 50%; background: var(--now); box-shadow: 0 0 0 1.5px var(--on-now); opacity: 0; animation: appear 0s .1s forwards, bounce .5s .1s ease-in-out infinite alternate; }
+  .tile b { position: absolute; left: 50%; top: 66px; width: 14px; height: 11px; margin-left: -7px; border-radius: 50%;
+    background: var(--now); box-shadow: 0 0 0 1.5px var(--on-now); opacity: 0;
+    animation: appear 0s .1s forwards, bounce .5s .1s ease-in-out infinite alternate; }
   @keyframes appear { to { opacity: 1; } }
   @keyframes bounce { from { translate: -22px; } to { translate: 22px; } }
 `;

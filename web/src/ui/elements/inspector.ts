@@ -1,6 +1,5 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { pointPartners } from "../../sync/prepare";
 import { SessionElement } from "../element";
 import { base } from "../styles";
 import { DEFAULT_SMOOTHNESS } from "../../util/constants";
@@ -13,12 +12,13 @@ const cm = (metresPerSecond: number): string => figure(metresPerSecond * 100, 1)
 
 @customElement("rigless-inspector")
 export class Inspector extends SessionElement {
-  protected readonly topics = ["document", "solve", "thumbs"] as const;
+  protected readonly topics = ["document", "solve", "thumbnails"] as const;
 
   static override styles = [
     base,
     css`
-      :host { display: block; margin: var(--s2); width: 256px; padding: var(--s2); background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); }
+      :host { display: block; margin: var(--s2); width: 256px; padding: var(--s2); background: var(--paper); border-radius: var(--r-l);
+        box-shadow: var(--lift-1); }
       header { display: flex; gap: 12px; align-items: center; margin-bottom: var(--s2); }
       header .thumb { width: 40px; height: 40px; flex: none; }
       header div { min-width: 0; }
@@ -33,34 +33,42 @@ export class Inspector extends SessionElement {
   ];
 
   protected override render() {
-    const { document, thumbnails } = this.session;
+    const { document, thumbnails, cast, poses } = this.session;
     const { settings } = document;
     const picture = thumbnails.rest;
+    const motion = stem(document.motion.files.at(-1) ?? "no motion");
     return html`
       <header>
         <span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span>
         <div>
-          <h2>${this.session.modelName}</h2>
-          <p class="sub">${count(document.points.length, "point")}, ${count(document.examples.length, "pose")}, ${stem(document.motion.files.at(-1) ?? "no motion")}</p>
+          <h2>${cast.presentName}</h2>
+          <p class="sub">${count(document.points.length, "point")}, ${count(document.examples.length, "pose")}, ${motion}</p>
         </div>
       </header>
       <rigless-range label="Volume" track="volume" .value=${settings.volume} .max=${3} .rest=${1} low="flat" high="juicy"
-        @range=${(event: CustomEvent<RangeDetail>) => this.session.setSetting("volume", event.detail.value, event.detail.held)}></rigless-range>
+        @range=${this.slid("volume")}></rigless-range>
       <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${DEFAULT_SMOOTHNESS} low="snappy" high="floaty"
-        @range=${(event: CustomEvent<RangeDetail>) => this.session.setSetting("smoothness", event.detail.value, event.detail.held)}></rigless-range>
+        @range=${this.slid("smoothness")}></rigless-range>
       <div class="switches">
-        <rigless-switch label="Ground contact" effect=${this.contactEffect()} .on=${settings.groundContact}
-          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("groundContact", event.detail, false)}></rigless-switch>
-        <rigless-switch label="In place" effect=${settings.inPlace ? "Stays on the spot" : "Travels as the dancer does"} .on=${settings.inPlace}
-          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("inPlace", event.detail, false)}></rigless-switch>
+        ${this.renderSwitch("groundContact", "Ground contact", this.contactEffect())}
+        ${this.renderSwitch("inPlace", "In place", settings.inPlace ? "Stays on the spot" : "Travels as the dancer does")}
         ${
-          pointPartners(document.points)
-            ? html`<rigless-switch label="Symmetry" effect=${settings.symmetry ? "Poses teach both sides" : "Poses teach their own side"} .on=${settings.symmetry}
-          @switch=${(event: CustomEvent<boolean>) => this.session.setSetting("symmetry", event.detail, false)}></rigless-switch>`
+          poses.canMirror
+            ? this.renderSwitch("symmetry", "Symmetry", settings.symmetry ? "Poses teach both sides" : "Poses teach their own side")
             : ""
         }
       </div>
     `;
+  }
+
+  private renderSwitch(key: "groundContact" | "inPlace" | "symmetry", label: string, effect: string) {
+    const { settings, document } = this.session;
+    return html`<rigless-switch label=${label} effect=${effect} .on=${document.settings[key]}
+      @switch=${(event: CustomEvent<boolean>) => settings.set(key, event.detail, false)}></rigless-switch>`;
+  }
+
+  private slid(key: "volume" | "smoothness") {
+    return ({ detail }: CustomEvent<RangeDetail>): void => this.session.settings.set(key, detail.value, detail.held);
   }
 
   private contactEffect(): string {

@@ -21,16 +21,22 @@ export class Intro extends SessionElement {
     css`
       :host { display: block; pointer-events: none; container-type: inline-size; }
       :host([hidden]) { display: none; }
-      .line { position: absolute; top: 20px; left: 0; right: 0; text-align: center; font: var(--t-display); font-weight: 400; letter-spacing: -.01em; padding: 0 16px; text-wrap: balance; }
-      .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; flex-wrap: wrap; gap: 8px; justify-content: center; }
+      .line { position: absolute; top: 20px; left: 0; right: 0; text-align: center; font: var(--t-display); font-weight: 400;
+        letter-spacing: -.01em; padding: 0 16px; text-wrap: balance; }
+      .chips { position: absolute; bottom: var(--s2); left: 0; right: 0; display: flex; flex-wrap: wrap; gap: 8px;
+        justify-content: center; }
       /* over the switch of views, where both would not fit in one line */
       @media (min-width: 720px) { @container (max-width: 940px) { .chips { bottom: 68px; } } }
-      .chip { pointer-events: auto; display: inline-flex; align-items: center; gap: 6px; min-height: max(36px, var(--hit)); padding: 0 16px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--ink); font: var(--t-strong); --frame: var(--lift-1); box-shadow: var(--frame); cursor: pointer; white-space: nowrap; transition: transform var(--bounce) var(--squash); }
+      .chip { pointer-events: auto; display: inline-flex; align-items: center; gap: 6px; min-height: max(36px, var(--hit));
+        padding: 0 16px; border: 0; border-radius: var(--r-full); background: var(--paper); color: var(--ink); font: var(--t-strong);
+        --frame: var(--lift-1); box-shadow: var(--frame); cursor: pointer; white-space: nowrap;
+        transition: transform var(--bounce) var(--squash); }
       .chip:hover { background: var(--desk); }
       .chip:active { transform: scale(1.04, .92); }
       .chip .ico { width: 18px; height: 18px; }
       @media (max-width: 1100px) { .line { font-size: 22px; line-height: 28px; top: 16px; } }
-      @media (max-width: 719px) { .line { font-size: 20px; line-height: 26px; top: 12px; } .chips { bottom: 44px; } .chip { padding: 0 12px; } }
+      @media (max-width: 719px) { .line { font-size: 20px; line-height: 26px; top: 12px; } .chips { bottom: 44px;
+        } .chip { padding: 0 12px; } }
       /* three in one line of a phone */
       @container (max-width: 480px) { .chips { gap: 6px; } .chip { padding: 0 10px; } .chip svg { display: none; } }
     `,
@@ -41,16 +47,18 @@ export class Intro extends SessionElement {
   }
 
   protected override render() {
-    const { session } = this;
-    const performer = session.cast.next;
-    const motion = session.motions.next;
-    if (!session.intro || session.panel !== null) return "";
+    const { cast, motions, opening, selection, context } = this.session;
+    const performer = cast.next;
+    const motion = motions.next;
+    if (!selection.intro || selection.panel !== null) return "";
+    const name = cast.presentName.toLowerCase();
+    const chip = (words: unknown, choose: () => void) => html`<button class="chip" @click=${choose}>${words}</button>`;
     return html`
-      ${session.notices.shown.length > 0 ? "" : html`<p class="line">This ${session.modelName.toLowerCase()} has no bones. <b>Drag any dot.</b></p>`}
+      ${context.notices.shown.length > 0 ? "" : html`<p class="line">This ${name} has no bones. <b>Drag any dot.</b></p>`}
       <div class="chips">
-        ${performer ? html`<button class="chip" @click=${() => session.usePerformer(performer)}>Try ${withArticle(performer.name.toLowerCase())}</button>` : ""}
-        ${motion ? html`<button class="chip" @click=${() => session.useMotion(motion)}>Try another dance</button>` : ""}
-        <button class="chip" @click=${() => session.pickFiles()}>${icon("file")}Use my model</button>
+        ${performer ? chip(`Try ${withArticle(performer.name.toLowerCase())}`, () => void opening.usePerformer(performer)) : ""}
+        ${motion ? chip("Try another dance", () => void opening.useMotion(motion)) : ""}
+        ${chip(html`${icon("file")}Use my model`, () => void opening.pick())}
       </div>
     `;
   }

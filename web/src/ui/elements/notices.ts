@@ -15,14 +15,18 @@ export class NoticesElement extends SessionElement {
     css`
       :host { display: block; max-width: 640px; pointer-events: none; }
       .list { display: grid; gap: var(--s1); justify-items: center; }
-      .notice { pointer-events: auto; display: grid; grid-template-columns: auto 1fr auto; gap: 0 12px; align-items: center; background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); padding: 10px 8px 10px 12px; animation: come var(--slow) var(--ease); max-width: 100%; }
+      .notice { pointer-events: auto; display: grid; grid-template-columns: auto 1fr auto; gap: 0 12px; align-items: center;
+        background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); padding: 10px 8px 10px 12px;
+        animation: come var(--slow) var(--ease); max-width: 100%; }
       @keyframes come { from { opacity: 0; transform: translateY(-8px); } }
-      .badge { width: 36px; height: 36px; border-radius: 50%; display: grid; place-items: center; background: var(--well); color: var(--ink); }
+      .badge { width: 36px; height: 36px; border-radius: 50%; display: grid; place-items: center; background: var(--well);
+        color: var(--ink); }
       .bad .badge { background: var(--bad-soft); color: var(--bad); }
       h3 { font: var(--t-strong); overflow-wrap: anywhere; }
       p { font: var(--t-small); color: var(--ink-2); overflow-wrap: anywhere; }
       .acts { display: flex; gap: var(--s-half); align-items: center; }
-      .rest { pointer-events: auto; justify-self: center; font: var(--t-small); color: var(--ink-2); background: var(--paper); border-radius: var(--r-full); padding: 4px 12px; box-shadow: var(--lift-1); }
+      .rest { pointer-events: auto; justify-self: center; font: var(--t-small); color: var(--ink-2); background: var(--paper);
+        border-radius: var(--r-full); padding: 4px 12px; box-shadow: var(--lift-1); }
       @media (max-width: 719px) {
         :host { max-width: none; }
         .list { justify-items: stretch; }
@@ -34,7 +38,7 @@ export class NoticesElement extends SessionElement {
   ];
 
   protected override render() {
-    const { notices } = this.session;
+    const { notices } = this.session.context;
     return html`<div class="list" role="status" aria-live="polite">
       ${repeat(
         notices.shown,

@@ -1,6 +1,6 @@
 import { html } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Axis } from "../../document/types";
+import type { Axis } from "../../app/project-settings";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base, panel } from "../styles";
@@ -16,11 +16,12 @@ export class ModelPanel extends SessionElement {
 
   protected override render() {
     const { session } = this;
+    const { cast, opening, settings } = session;
     const { mesh } = session.document;
-    const { cast, report } = session;
+    const { report } = session.context.workspace;
     const character = cast.present?.character;
     return html`<section class="panel" aria-label="Model">
-      <h2>Model <button class="btn line" @click=${() => session.pickFiles("model")}>Open</button></h2>
+      <h2>Model <button class="btn line" @click=${() => opening.pick("model")}>Open</button></h2>
       ${gallery(
         cast.list.map((performer) => ({
           name: performer.name,
@@ -28,8 +29,8 @@ export class ModelPanel extends SessionElement {
           picture: performer.character && session.builtins.picture(performer.character),
           fallback: performer.character ? "model" : "file",
           chosen: cast.isOnStage(performer),
-          coming: session.coming === performer.file,
-          choose: () => session.usePerformer(performer),
+          coming: opening.coming === performer.file,
+          choose: () => void opening.usePerformer(performer),
         })),
       )}
       ${
@@ -40,10 +41,13 @@ export class ModelPanel extends SessionElement {
           : ""
       }
       <div class="more">
-        <button class="btn line" title="Now it looks along ${mesh.facing} of its file" @click=${() => session.turnModel()}>${icon("turn")}Turn to face forward</button>
-        <label class="pair">Up axis <select .value=${mesh.up} @change=${(event: Event) => session.setUp((event.target as HTMLSelectElement).value as Axis)}>
+        <button class="btn line" title="Now it looks along ${mesh.facing} of its file" @click=${() => settings.turnModel()}>
+          ${icon("turn")}Turn to face forward</button>
+        <label class="pair">Up axis <select .value=${mesh.up} @change=${this.setUp}>
           ${AXES.map((axis) => html`<option value=${axis} ?selected=${axis === mesh.up}>${axis.toUpperCase()}</option>`)}</select></label>
       </div>
     </section>`;
   }
+
+  private readonly setUp = (event: Event): void => this.session.settings.setUp((event.target as HTMLSelectElement).value as Axis);
 }

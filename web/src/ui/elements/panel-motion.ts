@@ -12,9 +12,10 @@ export class MotionPanel extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const { motion, builtins, motions } = session;
+    const { builtins, motions, opening } = session;
+    const { motion } = session.context;
     return html`<section class="panel" aria-label="Motion">
-      <h2>Motion <button class="btn line" @click=${() => session.pickFiles("motion")}>Open</button></h2>
+      <h2>Motion <button class="btn line" @click=${() => opening.pick("motion")}>Open</button></h2>
       ${gallery(
         motions.list.map((entry) => {
           const file = entry.files.at(-1) ?? "";
@@ -25,14 +26,15 @@ export class MotionPanel extends SessionElement {
             picture: dance ? builtins.picture(dance) : null,
             fallback: "motion",
             chosen: motions.isPlaying(entry),
-            coming: session.coming === file,
-            choose: () => session.useMotion(entry),
+            coming: opening.coming === file,
+            choose: () => void opening.useMotion(entry),
           };
         }),
       )}
       ${
         motion
-          ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)}; ${count(motion.joints.length, "joint")}.
+          ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)};
+        ${count(motion.joints.length, "joint")}.
         ${Math.abs(motion.source.fps - 30) > 0.01 ? `The file has ${figure(motion.source.fps)} a second.` : ""}</p>`
           : ""
       }

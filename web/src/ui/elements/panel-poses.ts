@@ -1,6 +1,6 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Example } from "../../document/types";
+import type { Example } from "../../app/poses";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base, panel } from "../styles";
@@ -8,7 +8,7 @@ import { stem } from "../../util/words";
 
 @customElement("rigless-panel-poses")
 export class PosesPanel extends SessionElement {
-  protected readonly topics = ["document", "frame", "thumbs", "solve"] as const;
+  protected readonly topics = ["document", "frame", "thumbnails", "solve"] as const;
 
   static override styles = [
     base,
@@ -24,12 +24,17 @@ export class PosesPanel extends SessionElement {
   ];
 
   protected override render() {
-    const { session } = this;
-    const { examples } = session.document;
+    const { poses, document, actions } = this.session;
+    const { examples } = document;
+    const { addPose } = actions;
     return html`<section class="panel" aria-label="Poses">
-      <h2>Poses <button class="btn line" ?disabled=${!session.canPose} @click=${() => session.keepShape()}>Add</button></h2>
-      ${examples.length === 0 ? html`<p class="note">Stop at a frame, drag a dot and let go: that is a pose. Two are enough to start.</p>` : nothing}
-      <ul>${[...session.poses.here, ...examples.filter((pose) => !session.poses.isHere(pose))].map((pose) => this.renderPose(pose))}</ul>
+      <h2>Poses <button class="btn line" ?disabled=${!addPose.enabled()} @click=${() => addPose.run()}>Add</button></h2>
+      ${
+        examples.length === 0
+          ? html`<p class="note">Stop at a frame, drag a dot and let go: that is a pose. Two are enough to start.</p>`
+          : nothing
+      }
+      <ul>${[...poses.here, ...examples.filter((pose) => !poses.isHere(pose))].map((pose) => this.renderPose(pose))}</ul>
     </section>`;
   }
 
@@ -42,8 +47,14 @@ export class PosesPanel extends SessionElement {
       <button class="item" ?disabled=${!here} @click=${() => session.poses.goTo(pose.id)}>
         <span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span>
         <span>Frame ${pose.source.frame}<small>${stem(pose.source.motion)}</small></span></button>
-      ${here && !now ? html`<button class="btn update" title="Take the shape at frame ${session.player.frame} instead" @click=${() => session.poses.update(pose.id)}>Update</button>` : nothing}
-      <button class="btn icon" aria-label="Delete the pose at frame ${pose.source.frame}" @click=${() => session.poses.remove(pose.id)}>${icon("bin")}</button>
+      ${
+        here && !now
+          ? html`<button class="btn update" title="Take the shape at frame ${session.player.frame} instead"
+              @click=${() => session.poses.update(pose.id)}>Update</button>`
+          : nothing
+      }
+      <button class="btn icon" aria-label="Delete the pose at frame ${pose.source.frame}"
+        @click=${() => session.poses.remove(pose.id)}>${icon("bin")}</button>
     </li>`;
   }
 }

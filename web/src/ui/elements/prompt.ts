@@ -1,8 +1,8 @@
 import { css, html } from "lit";
 import type { TemplateResult } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Pin } from "../../document/types";
-import { pointPartners } from "../../sync/prepare";
+import type { Pin } from "../../app/pins";
+import { actionButton, caps } from "../action-button";
 import { SessionElement } from "../element";
 import { base } from "../styles";
 
@@ -15,7 +15,8 @@ export class Prompt extends SessionElement {
     base,
     css`
       :host { display: block; margin: var(--s2); }
-      .prompt { background: var(--paper); border-radius: var(--r-l); box-shadow: inset 0 0 0 1.5px var(--pencil), var(--lift-1); padding: 12px 12px 12px 16px; display: flex; align-items: center; gap: var(--s2); }
+      .prompt { background: var(--paper); border-radius: var(--r-l); box-shadow: inset 0 0 0 1.5px var(--pencil), var(--lift-1);
+        padding: 12px 12px 12px 16px; display: flex; align-items: center; gap: var(--s2); }
       h3 { font: var(--t-strong); }
       p { font: var(--t-small); color: var(--ink-2); }
       .acts { display: flex; gap: var(--s-half); flex: none; }
@@ -25,30 +26,31 @@ export class Prompt extends SessionElement {
 
   protected override render() {
     const { session } = this;
+    const { escape } = session.actions;
     if (session.coverage.asking !== null) return this.renderAsked();
     if (session.pins.chosenPin) return this.renderPin(session.pins.chosenPin);
     if (session.pins.armed)
       return card(
         "Pins",
         html`<h3>Drag a dot to where it shall be at this frame.</h3><p>A pin holds for its frame and teaches nothing else.</p>`,
-        html`<button class="btn line" @click=${() => session.pins.arm(false)}>Cancel <kbd>Esc</kbd></button>`,
+        html`<button class="btn line" @click=${() => session.pins.arm(false)}>Cancel ${caps(escape)}</button>`,
       );
     return this.renderPairing();
   }
 
   private renderAsked() {
-    const { coverage, document } = this.session;
-    const free = document.settings.symmetry && pointPartners(document.points) ? " Its mirror comes free." : "";
+    const { coverage, poses, actions } = this.session;
+    const free = poses.teachBothSides ? " Its mirror comes free." : "";
     return card(
       "Asked for",
       html`<h3>Show me this one.</h3><p>It is the farthest from your poses: drag the dots until it means the same.${free}</p>`,
-      html`<button class="btn" @click=${() => coverage.skip()}>Skip <kbd>Esc</kbd></button>
-        <button class="btn primary" @click=${() => coverage.keep()}>Keep pose <kbd>Enter</kbd></button>`,
+      html`<button class="btn" @click=${() => coverage.skip()}>Skip ${caps(actions.escape)}</button>
+        ${actionButton(actions.answer, { class: "btn primary", after: html` ${caps(actions.answer)}` })}`,
     );
   }
 
   private renderPin(pin: Pin) {
-    const { pins, document } = this.session;
+    const { pins, document, actions } = this.session;
     const name = document.points.find(({ id }) => id === pin.point)?.name ?? "The point";
     const still = pin.kind === "still";
     return card(
@@ -56,29 +58,36 @@ export class Prompt extends SessionElement {
       html`<h3>${name} ${still ? "stands still" : "is held"} at frame ${pin.frame}.</h3><p>${
         still ? "It is where it was a frame before." : "It is just there, whatever the poses say."
       }</p>`,
-      html`${still && !pin.position ? "" : html`<button class="btn" ?disabled=${pin.frame === 0} @click=${() => pins.setKind(pin, still ? "place" : "still")}>${still ? "Hold it" : "Stand still"}</button>`}
+      html`${
+        still && !pin.position
+          ? ""
+          : html`<button class="btn" ?disabled=${pin.frame === 0} @click=${() => pins.setKind(pin, still ? "place" : "still")}
+            >${still ? "Hold it" : "Stand still"}</button>`
+      }
         <button class="btn" @click=${() => pins.remove(pin.id)}>Delete</button>
-        <button class="btn line" @click=${() => pins.choose(null)}>Done <kbd>Esc</kbd></button>`,
+        <button class="btn line" @click=${() => pins.choose(null)}>Done ${caps(actions.escape)}</button>`,
     );
   }
 
   private renderPairing() {
     const { session } = this;
-    const { pairing } = session;
+    const { pairing, selection, actions } = session;
     const { points } = session.document;
     const waiting = points.find((point) => point.id === pairing.waiting);
-    if (session.panel !== "points" || (!waiting && !pairing.adding)) return "";
+    if (selection.panel !== "points" || (!waiting && !pairing.adding)) return "";
     const paired = points.filter((point) => point.joint !== null).length;
     const words = waiting
-      ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${paired} of ${points.length} paired. Any joint of the dancer will do.</p>`
+      ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${
+          paired
+        } of ${points.length} paired. Any joint of the dancer will do.</p>`
       : html`<h3>Click a place on the model${points.length === 0 ? ", then the joint that moves it" : ""}.</h3><p>${
           points.length === 0 ? "It dances as soon as one place has its joint." : `${paired} of ${points.length} paired.`
         }</p>`;
     return card(
       "Points",
       words,
-      html`${waiting ? html`<button class="btn" @click=${() => pairing.setWaiting(null)}>Skip</button>` : ""}
-      <button class="btn line" @click=${() => pairing.stop()}>Done <kbd>Esc</kbd></button>`,
+      html`${waiting ? html`<button class="btn" @click=${() => pairing.waitFor(null)}>Skip</button>` : ""}
+      <button class="btn line" @click=${() => pairing.stop()}>Done ${caps(actions.escape)}</button>`,
     );
   }
 }

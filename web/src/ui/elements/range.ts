@@ -4,8 +4,11 @@ import { base } from "../styles";
 
 const TRACKS = {
   volume: "M2 10.5C70 9 150 5 212 1C222 .5 224 6 224 12S222 23.5 212 23C150 19 70 15 2 13.5C.5 13 .5 11 2 10.5Z",
-  smooth:
-    "M1 12L6 5L12 19L18 5L25 19L33 5.5L42 18.5C47.9 18.5 50.1 5.5 56 5.5C63.6 5.5 66.4 18.5 74 18.5C84.1 18.5 87.9 5.5 98 5.5C111.4 5.5 116.6 18.5 130 18.5C148.5 18.5 155.5 5.5 174 5.5C196 5.5 214 12 223 12",
+  smooth: [
+    "M1 12L6 5L12 19L18 5L25 19L33 5.5L42 18.5C47.9 18.5 50.1 5.5 56 5.5",
+    "C63.6 5.5 66.4 18.5 74 18.5C84.1 18.5 87.9 5.5 98 5.5C111.4 5.5 116.6 18.5 130 18.5",
+    "C148.5 18.5 155.5 5.5 174 5.5C196 5.5 214 12 223 12",
+  ].join(""),
 } as const;
 
 /** `change` while the thumb moves (with `held`), and once more when it is let go. */
@@ -42,9 +45,12 @@ export class Range extends LitElement {
       .smooth path { fill: none; stroke: var(--edge); stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; }
       .smooth .on path { stroke: var(--ink); stroke-width: 3; }
       .on { clip-path: inset(-4px calc(100% - var(--x)) -4px -4px); }
-      input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; background: none; appearance: none; cursor: grab; border-radius: var(--r-full); }
-      input::-webkit-slider-thumb { appearance: none; width: var(--thumb); height: var(--thumb); border-radius: 50%; background: var(--paper); border: 2.5px solid var(--ink); transition: transform var(--bounce) var(--squash); }
-      input::-moz-range-thumb { width: var(--thumb); height: var(--thumb); border-radius: 50%; background: var(--paper); border: 2.5px solid var(--ink); box-sizing: border-box; }
+      input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; background: none; appearance: none; cursor: grab;
+        border-radius: var(--r-full); }
+      input::-webkit-slider-thumb { appearance: none; width: var(--thumb); height: var(--thumb); border-radius: 50%;
+        background: var(--paper); border: 2.5px solid var(--ink); transition: transform var(--bounce) var(--squash); }
+      input::-moz-range-thumb { width: var(--thumb); height: var(--thumb); border-radius: 50%; background: var(--paper);
+        border: 2.5px solid var(--ink); box-sizing: border-box; }
       .is-held input { cursor: grabbing; }
       .is-held input::-webkit-slider-thumb { transform: scale(1.25, .85); background: var(--now); border-color: var(--on-now); }
       @media (max-width: 719px) {

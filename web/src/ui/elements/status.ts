@@ -12,7 +12,9 @@ export class Status extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { margin: var(--s2); display: flex; align-items: center; gap: 10px; height: 28px; padding: 0 12px 0 6px; border-radius: var(--r-full); background: var(--paper); box-shadow: var(--lift-1); font: var(--t-small); color: var(--ink-2); white-space: nowrap; }
+      :host { margin: var(--s2); display: flex; align-items: center; gap: 10px; height: 28px; padding: 0 12px 0 6px;
+        border-radius: var(--r-full); background: var(--paper); box-shadow: var(--lift-1); font: var(--t-small); color: var(--ink-2);
+        white-space: nowrap; }
       :host([plain]) { padding-left: 12px; }
       b { color: var(--ink); font-weight: 600; }
       i { width: 1px; height: 12px; background: var(--line); }
@@ -22,21 +24,20 @@ export class Status extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const held = session.drag;
-    const id = held?.id ?? session.selected;
-    const index = session.document.points.findIndex((point) => point.id === id);
-    const point = session.document.points[index];
+    const { selection, context, coverage, pairing, pins } = session;
+    const { points } = session.document;
+    const held = session.dragging.active;
+    const id = held?.id ?? selection.point;
+    const index = points.findIndex((point) => point.id === id);
+    const point = points[index];
     this.toggleAttribute("plain", !point);
     this.toggleAttribute(
       "asking",
-      (session.panel === "points" && (session.pairing.adding || session.pairing.waiting !== null)) ||
-        session.coverage.asking !== null ||
-        session.pins.chosen !== null ||
-        session.pins.armed,
+      (selection.panel === "points" && pairing.asks) || coverage.asking !== null || pins.chosen !== null || pins.armed,
     );
-    const solved = session.meter.median;
+    const solved = context.meter.median;
     const speed =
-      session.solving && !held
+      context.solving && !held
         ? html`<span>solving</span>`
         : solved === null
           ? html`<span>ready</span>`

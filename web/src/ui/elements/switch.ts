@@ -16,8 +16,11 @@ export class Switch extends LitElement {
       .txt { flex: 1; }
       b { display: block; font: var(--t-strong); line-height: 16px; }
       .sub { display: block; }
-      input { appearance: none; margin: 0; width: 36px; height: 22px; border-radius: var(--r-full); background: var(--paper); --frame: inset 0 0 0 var(--stroke) var(--edge); box-shadow: var(--frame); position: relative; cursor: pointer; transition: background var(--base); flex: none; }
-      input::after { content: ""; position: absolute; left: 4px; top: 4px; width: 14px; height: 14px; border-radius: 50%; background: var(--edge); transition: transform var(--bounce) var(--squash); }
+      input { appearance: none; margin: 0; width: 36px; height: 22px; border-radius: var(--r-full); background: var(--paper);
+        --frame: inset 0 0 0 var(--stroke) var(--edge); box-shadow: var(--frame); position: relative; cursor: pointer;
+        transition: background var(--base); flex: none; }
+      input::after { content: ""; position: absolute; left: 4px; top: 4px; width: 14px; height: 14px; border-radius: 50%;
+        background: var(--edge); transition: transform var(--bounce) var(--squash); }
       input:checked { background: var(--ink); --frame: 0 0 transparent; }
       input:checked::after { transform: translateX(14px); background: var(--on-ink); }
       @media (max-width: 719px) {
@@ -28,7 +31,8 @@ export class Switch extends LitElement {
         b { display: inline; white-space: nowrap; }
         input { position: absolute; opacity: 0; }
         label:has(:checked) { background: var(--well); box-shadow: inset 0 0 0 var(--stroke) var(--ink); }
-        label:has(:checked) .txt::before { content: ""; display: inline-block; width: 10px; height: 5px; margin-right: 8px; border: solid var(--ink); border-width: 0 0 2px 2px; transform: translateY(-3px) rotate(-45deg); }
+        label:has(:checked) .txt::before { content: ""; display: inline-block; width: 10px; height: 5px; margin-right: 8px;
+          border: solid var(--ink); border-width: 0 0 2px 2px; transform: translateY(-3px) rotate(-45deg); }
         label:has(:focus-visible) { box-shadow: 0 0 0 2px var(--paper), 0 0 0 4px var(--ink), 0 0 0 7px var(--now); }
       }
     `,

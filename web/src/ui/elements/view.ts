@@ -1,5 +1,6 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
+import { actionButton } from "../action-button";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
@@ -11,7 +12,8 @@ export class ViewToggle extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { margin: var(--s2); display: flex; padding: 2px; border-radius: var(--r-m); background: var(--paper); box-shadow: var(--lift-1); }
+      :host { margin: var(--s2); display: flex; padding: 2px; border-radius: var(--r-m); background: var(--paper);
+        box-shadow: var(--lift-1); }
       div { display: flex; }
       .btn { min-height: 28px; border-radius: 8px; font: var(--t-small); padding: 0 10px; }
       .btn[aria-pressed="true"] { background: var(--well); font-weight: 600; }
@@ -20,12 +22,12 @@ export class ViewToggle extends SessionElement {
   ];
 
   protected override render() {
-    const { session } = this;
+    const { actions, selection } = this.session;
     const choice = (layout: "side" | "overlay", label: string) => html`
-      <button class="btn" aria-pressed=${session.layout === layout} @click=${() => session.setLayout(layout)}>${label}</button>`;
+      <button class="btn" aria-pressed=${selection.layout === layout} @click=${() => selection.setLayout(layout)}>${label}</button>`;
     return html`<div role="group" aria-label="View">
       ${choice("side", "Side by side")}${choice("overlay", "Overlay")}
-      <button class="btn icon" aria-label="Fit" title="Fit (F)" @click=${() => session.fit()}>${icon("fit")}</button>
+      ${actionButton(actions.fit, { class: "btn icon", drawing: icon("fit") })}
     </div>`;
   }
 }

@@ -35,7 +35,7 @@ class Lane {
   }
 }
 
-export class Stage {
+export class Scenery {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
   readonly model = new Lane();

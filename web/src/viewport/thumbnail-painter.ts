@@ -7,7 +7,7 @@ import { Lights } from "./lights";
 import type { ModelFigure } from "./model-figure";
 import type { Shape } from "./shape";
 
-export class Thumbnails {
+export class ThumbnailPainter {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 50);
   private readonly lights = new Lights();

@@ -1,3 +1,5 @@
+// Runs of frames in which something holds: a point stands, nobody does.
+
 import type { Performance } from "../engine/types";
 
 /** A half-open run of frames. */
@@ -32,12 +34,4 @@ export function movedRun(runs: readonly Run[], at: number, grip: Grip, by: numbe
   if (grip === "end") return runs.toSpliced(at, 1, [a, clamp(b + by, a + 1, frames)]);
   const shift = clamp(by, -a, frames - b);
   return runs.toSpliced(at, 1, [a + shift, b + shift]);
-}
-
-const STEPS = [5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
-const LABEL_PX = 56;
-
-/** Frames between two labels of the ruler, so that labels keep their distance. */
-export function rulerStep(last: number, pixels: number): number {
-  return STEPS.find((step) => (step / last) * pixels >= LABEL_PX) ?? 10_000;
 }

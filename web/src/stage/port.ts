@@ -1,4 +1,4 @@
-// What the viewport draws and what it reports. It never solves.
+// What stands on the stage and what the hand does there: said by the app, drawn by the viewport. It never solves.
 
 import type { JointName } from "../skeleton/joint-names";
 
@@ -35,17 +35,31 @@ export interface PointMark {
   vertex: number;
   /** Joint, or -1 while unpaired. */
   joint: number;
-  /** The pair is our guess: its line is dashed pencil. */
-  guess?: boolean;
   /** Not a point yet: a dashed mark that a click takes. */
-  offered?: boolean;
+  suggested?: boolean;
   /** The selected point's partner on the other side. */
   twin?: boolean;
 }
 
-export type ViewMode = "pose" /** dots on the model drag */ | "points"; /** pair lines show; a click on the mesh or on a joint picks it */
+/** What the stage shows beside the figures and the points. */
+export interface StageLook {
+  /** "pose": dots on the model drag; "points": pair lines show, and a click on the mesh or on a joint picks it. */
+  mode: "pose" | "points";
+  /** "side": human left, model right; "overlay": on the same spot. */
+  layout: "side" | "overlay";
+  /** Two rings around this dot of the model, three times, for a first visit; null stops them. */
+  pulse: string | null;
+  /** The pair line that follows the pointer starts at this dot. */
+  livePair: string | null;
+  /** The human asks for a pose of the model: drawn in blue pencil. */
+  asking: boolean;
+  /** Dashed ghost of a shape behind the model (V x 3 world). */
+  ghost: Float32Array | null;
+  /** A second line on the tag of the dot in the hand, such as the volume; "" for none. */
+  note: string;
+}
 
-export interface ViewportEvents {
+export interface StageEvents {
   /** The pointer took a dot of the model. */
   "point-grab": { id: string };
   /** World position that the hand asks for. */
@@ -72,36 +86,23 @@ export interface Insets {
   bottom: number;
 }
 
-export interface ViewportApi {
-  on<K extends keyof ViewportEvents>(name: K, listener: (detail: ViewportEvents[K]) => void): () => void;
+export interface StagePort {
+  on<K extends keyof StageEvents>(name: K, listener: (detail: StageEvents[K]) => void): () => void;
   setModel(model: DrawnModel | null): void;
   /** V x 3 world; drawn at the next animation frame. */
   setVertices(positions: Float32Array): void;
   setHuman(human: DrawnHuman | null): void;
   /** J x 3 world metres. */
   setHumanPose(positions: Float32Array): void;
-  /** The next places are those of the clip's beginning, reached by its end: the figures go on from where they are. */
+  /** The next positions are those of the clip's beginning, reached by its end: the figures go on from where they are. */
   beginAgain(): void;
   setPoints(points: readonly PointMark[], selected: string | null): void;
-  /** Two rings around a dot of the model, three times, for a first visit; null stops them. */
-  pulse(id: string | null): void;
-  setMode(mode: ViewMode): void;
-  /** Dashed ghost of a shape behind the model (V x 3 world), or null. */
-  setGhost(positions: Float32Array | null): void;
-  /** The human asks for a pose of the model: drawn in blue pencil. */
-  setAsking(asking: boolean): void;
-  /** The pair line that follows the pointer from this dot or joint, or null. */
-  setLivePair(from: { id: string } | { joint: number } | null): void;
-  /** A second line on the tag of the dot in the hand, such as the volume; "" for none. */
-  setNote(words: string): void;
+  /** What is left out stays as it is. */
+  setLook(look: Partial<StageLook>): void;
   /** Where cards float over the stage, in CSS pixels; figures are framed in what is left. */
   setInsets(insets: Insets): void;
-  /** "side": human left, model right; "overlay": on the same spot. */
-  setLayout(layout: "side" | "overlay"): void;
   fit(): void;
-  /** Small picture of a pose for the timeline (V x 3 local or world), as a data URL. */
+  /** Small picture of a shape (V x 3 local or world), as a data URL. */
   thumbnail(positions: Float32Array, size: number): string;
-  /** Re-reads colours after a theme change. */
-  refreshTheme(): void;
   dispose(): void;
 }

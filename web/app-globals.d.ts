@@ -1,0 +1,37 @@
+// What the app layer may take for granted beside the language: the few globals that pages, workers and Node share.
+
+declare function setTimeout(call: () => void, milliseconds?: number): number;
+declare function clearTimeout(timer: number | undefined): void;
+declare const performance: { now(): number };
+
+interface AbortSignal {
+  readonly aborted: boolean;
+  readonly reason: unknown;
+  throwIfAborted(): void;
+}
+declare class AbortController {
+  readonly signal: AbortSignal;
+  abort(): void;
+}
+
+declare class TextEncoder {
+  encode(text: string): Uint8Array<ArrayBuffer>;
+}
+declare class TextDecoder {
+  constructor(label?: string, options?: { fatal?: boolean });
+  decode(bytes: Uint8Array): string;
+}
+
+/** Only passed on, from the port that decodes it to the stage that draws it. */
+interface ImageBitmap {
+  readonly width: number;
+  readonly height: number;
+  close(): void;
+}
+
+/** Only named, by what the engine says of itself. */
+declare namespace WebAssembly {
+  class Memory {
+    readonly buffer: ArrayBuffer;
+  }
+}
