@@ -215,7 +215,10 @@ export interface Engine {
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void>;
   /** Reads a motion; on failure (bad_motion) the previous one stays. */
   setMotion(motion: MotionInput, options?: CallOptions): Promise<Motion>;
-  /** Deforms towards C x 3 body-local targets from where the last drag left the surface. One slot: a newer drag rejects the older with "superseded". */
+  /**
+   * Deforms towards C x 3 body-local targets from where the last drag left the surface. One slot: a newer drag rejects the older with
+   * "superseded".
+   */
   drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<Frame>;
   /** Solves the whole clip for the present mesh, controls and motion. */
   retarget(input: RetargetInput, options?: CallOptions): Promise<Performance>;
