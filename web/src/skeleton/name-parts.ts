@@ -1,7 +1,7 @@
 // One joint's name: its side, its own words, and what they mean by themselves. The twin of
 // include/rigless/motion/detail/name_parts.h.
 
-import type { Side } from "./joint-names";
+import type { Side } from "./body-parts";
 import { END_WORDS, LEFT_WORDS, NOISE_WORDS, RIGHT_WORDS, senseOf } from "./name-senses";
 import type { NameSense } from "./name-senses";
 import { isNumber, plain, sizeOf } from "./name-words";

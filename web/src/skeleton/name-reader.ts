@@ -1,6 +1,6 @@
 // The names of one skeleton, read together. The twin of include/rigless/motion/detail/name_reader.h.
 
-import type { BodyPart, JointName, Side } from "./joint-names";
+import type { BodyPart, JointName, Side } from "./body-parts";
 import { readName } from "./name-parts";
 import type { NameParts } from "./name-parts";
 import type { NameSense } from "./name-senses";

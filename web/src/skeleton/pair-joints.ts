@@ -2,7 +2,7 @@
 // Pure.
 
 import { readJointNames } from "./joint-names";
-import type { BodyPart, JointName, Side } from "./joint-names";
+import type { BodyPart, JointName, Side } from "./body-parts";
 import { NameReader, partLabel } from "./name-reader";
 
 /** A joint of a skeleton and its role there, which no other joint has; without one, both are null. */

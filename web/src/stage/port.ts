@@ -1,6 +1,6 @@
 // What stands on the stage and what the hand does there: said by the app, drawn by the viewport. It never solves.
 
-import type { JointName } from "../skeleton/joint-names";
+import type { JointName } from "../skeleton/body-parts";
 
 /** A model as drawn: render vertices keep seams, normals and colours; each knows its solver vertex. */
 export interface DrawnModel {

@@ -1,7 +1,7 @@
 // Which bones a mannequin draws, found from the parts of the body and the tree; knows no pose. Works on any tree: what has no
 // part it draws as plain capsules.
 
-import type { BodyPart, JointName, Side } from "../skeleton/joint-names";
+import type { BodyPart, JointName, Side } from "../skeleton/body-parts";
 import type { DrawnHuman } from "../stage/port";
 
 export interface Bone {

@@ -1,0 +1,32 @@
+// Parts and sides of a body, and what a joint's name says of them.
+
+export type Side = "left" | "right" | null;
+
+/**
+ * A joint is named after where it is: upper_leg is the hip joint, lower_leg the knee, foot the ankle, toe the ball; shoulder is
+ * the collar, upper_arm the shoulder joint, lower_arm the elbow, hand the wrist. tip is the end of the foot, end any other end.
+ */
+export type BodyPart =
+  | "hips"
+  | "spine"
+  | "chest"
+  | "neck"
+  | "head"
+  | "shoulder"
+  | "upper_arm"
+  | "lower_arm"
+  | "hand"
+  | "finger"
+  | "upper_leg"
+  | "lower_leg"
+  | "foot"
+  | "toe"
+  | "tip"
+  | "end";
+
+export interface JointName {
+  side: Side;
+  part: BodyPart | null;
+  /** "Left elbow"; the joint's own words where the part is none, finger or end; unique in the list. */
+  label: string;
+}
