@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/status.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/detail/euler.h"

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/status.h"
 #include "rigless/motion/clip.h"
 

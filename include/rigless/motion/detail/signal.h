@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/status.h"
 
 namespace rigless {
