@@ -29,6 +29,8 @@ using CoreError = rigless::Error;
 using LengthUnit = rigless::LengthUnit;
 using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
+using BodySide = rigless::BodySide;
+using BodyPart = rigless::BodyPart;
 
 // Constants that both sides know.
 inline constexpr double fps = rigless::performance_fps;            // of every performance
@@ -87,6 +89,13 @@ struct MotionInfo {
   Number source_frames;
   Number source_fps;
   Number metres_per_unit;  // of the file
+  Flag told;               // whether the joints of the body could be told
+};
+
+// What a joint is, of those that carry a part of their side alone.
+struct JointPlace {
+  NameOf<BodySide> side;
+  NameOf<BodyPart> part;
 };
 
 // What a parser worked around (rigless::ParseNotes), and what was guessed of the file.
@@ -99,6 +108,7 @@ struct MotionNotes {
   Number roots;
   Number renamed;
   Number lengths_ignored;
+  Number joints_folded;
   NameOf<UpAxis> up;
   NameOf<LengthUnit> unit;
 };

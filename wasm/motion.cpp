@@ -33,6 +33,7 @@ void narrow(Span<const Vec3d> points, std::vector<float>& out) {
 Status stage(rigless::Clip<double>& clip, Motion& motion) {
   motion.file = rigless::standardise<double>(clip, motion.notes.rest);
   if (const Status status = rigless::stage_motion(clip, motion.file.roles, motion.staged); !status.ok()) return status;
+  motion.places = motion.staged.roles.places(motion.staged.clip.joints());
   narrow(motion.staged.clip.positions, motion.positions);
   narrow(motion.staged.local, motion.local);
   motion.yaw.assign(motion.staged.yaw.begin(), motion.staged.yaw.end());
@@ -74,6 +75,7 @@ RIGLESS_EXPORT const MotionInfo* motion_info(ObjectHandle motion) {
       .source_frames = m.source_frames,
       .source_fps = m.source_fps,
       .metres_per_unit = m.clip.metres_per_unit,
+      .told = m.roles.known(),
   });
 }
 
@@ -88,6 +90,7 @@ RIGLESS_EXPORT const MotionNotes* motion_notes(ObjectHandle motion) {
       .roots = n.roots,
       .renamed = n.renamed,
       .lengths_ignored = n.lengths_ignored,
+      .joints_folded = n.joints_folded,
       .up = motions[motion].file.up,
       .unit = motions[motion].file.unit.unit,
   });
@@ -99,6 +102,11 @@ RIGLESS_EXPORT const char* motion_name(ObjectHandle motion, std::int32_t joint) 
 
 RIGLESS_EXPORT std::int32_t motion_name_bytes(ObjectHandle motion, std::int32_t joint) {
   return static_cast<std::int32_t>(motions[motion].staged.clip.skeleton.names[static_cast<std::size_t>(joint)].size());
+}
+
+RIGLESS_EXPORT const JointPlace* motion_place(ObjectHandle motion, std::int32_t joint) {
+  const rigless::BodyPlace place = motions[motion].places[static_cast<std::size_t>(joint)];
+  return answer<JointPlace>({.side = place.side, .part = place.part});
 }
 
 // J

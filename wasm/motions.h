@@ -14,6 +14,7 @@ struct Motion {
   rigless::ParseNotes notes;
   rigless::Standardised<double> file;
   rigless::StagedMotion<double> staged;
+  std::vector<rigless::BodyPlace> places;
   std::vector<float> positions, local, yaw;
 };
 

@@ -1,7 +1,7 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1591193045;
+export const ABI = 1097103558;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -52,6 +52,30 @@ export type UpAxis = (typeof UP_AXIS_NAMES)[number];
 export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest"] as const;
 export type BodyRole = (typeof BODY_ROLE_NAMES)[number];
 
+export const BODY_SIDE_NAMES = ["none", "left", "right"] as const;
+export type BodySide = (typeof BODY_SIDE_NAMES)[number];
+
+export const BODY_PART_NAMES = [
+  "none",
+  "hips",
+  "spine",
+  "chest",
+  "neck",
+  "head",
+  "shoulder",
+  "upper_arm",
+  "lower_arm",
+  "hand",
+  "finger",
+  "upper_leg",
+  "lower_leg",
+  "foot",
+  "toe",
+  "tip",
+  "end",
+] as const;
+export type BodyPart = (typeof BODY_PART_NAMES)[number];
+
 export interface BodyReport {
   /** NaN when open. */
   volume: number;
@@ -100,12 +124,22 @@ export interface MotionInfo {
   sourceFps: number;
   /** Of the file. */
   metresPerUnit: number;
+  /** Whether the joints of the body could be told. */
+  told: boolean;
 }
 
 export const motionInfoRow: Row<MotionInfo> = {
-  doubles: 5,
-  read: (n) => ({ frames: n[0], joints: n[1], sourceFrames: n[2], sourceFps: n[3], metresPerUnit: n[4] }),
+  doubles: 6,
+  read: (n) => ({ frames: n[0], joints: n[1], sourceFrames: n[2], sourceFps: n[3], metresPerUnit: n[4], told: n[5] !== 0 }),
 };
+
+/** What a joint is, of those that carry a part of their side alone. */
+export interface JointPlace {
+  side: BodySide;
+  part: BodyPart;
+}
+
+export const jointPlaceRow: Row<JointPlace> = { doubles: 2, read: (n) => ({ side: BODY_SIDE_NAMES[n[0]], part: BODY_PART_NAMES[n[1]] }) };
 
 /** What a parser worked around (rigless::ParseNotes), and what was guessed of the file. */
 export interface MotionNotes {
@@ -117,12 +151,13 @@ export interface MotionNotes {
   roots: number;
   renamed: number;
   lengthsIgnored: number;
+  jointsFolded: number;
   up: UpAxis;
   unit: LengthUnit;
 }
 
 export const motionNotesRow: Row<MotionNotes> = {
-  doubles: 10,
+  doubles: 11,
   read: (n) => ({
     framesDeclared: n[0],
     framesRead: n[1],
@@ -132,8 +167,9 @@ export const motionNotesRow: Row<MotionNotes> = {
     roots: n[5],
     renamed: n[6],
     lengthsIgnored: n[7],
-    up: UP_AXIS_NAMES[n[8]],
-    unit: LENGTH_UNIT_NAMES[n[9]],
+    jointsFolded: n[8],
+    up: UP_AXIS_NAMES[n[9]],
+    unit: LENGTH_UNIT_NAMES[n[10]],
   }),
 };
 
@@ -274,6 +310,7 @@ export interface RiglessExports {
   motion_notes(motion: Handle): Pointer<MotionNotes>;
   motion_name(motion: Handle, joint: number): Pointer<Uint8Array>;
   motion_name_bytes(motion: Handle, joint: number): number;
+  motion_place(motion: Handle, joint: number): Pointer<JointPlace>;
   motion_parents(motion: Handle): Pointer<Integers>;
   motion_positions(motion: Handle): Pointer<Float32Array>;
   motion_local(motion: Handle): Pointer<Float32Array>;

@@ -1,6 +1,6 @@
 // From the text of a motion file to a motion that the core holds, and what the page is told of it.
 
-import { motionInfoRow, motionNotesRow } from "./abi";
+import { jointPlaceRow, motionInfoRow, motionNotesRow } from "./abi";
 import type { Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
 import { engineError, motionNotes } from "./messages";
@@ -35,10 +35,16 @@ function describe(wasm: RiglessExports, heap: Heap, handle: Handle, name: string
   const parents = heap.integers(wasm.motion_parents(handle), joints);
   return {
     frames,
-    joints: Array.from(parents, (parent, joint) => ({
-      name: heap.text(wasm.motion_name(handle, joint), wasm.motion_name_bytes(handle, joint)),
-      parent,
-    })),
+    joints: Array.from(parents, (parent, joint) => {
+      const { side, part } = heap.read(jointPlaceRow, wasm.motion_place(handle, joint));
+      return {
+        name: heap.text(wasm.motion_name(handle, joint), wasm.motion_name_bytes(handle, joint)),
+        parent,
+        side: side === "none" ? null : side,
+        part: part === "none" ? null : part,
+      };
+    }),
+    told: info.told,
     positions: heap.floats(wasm.motion_positions(handle), 3 * frames * joints),
     local: heap.floats(wasm.motion_local(handle), 3 * frames * joints),
     yaw: heap.floats(wasm.motion_yaw(handle), frames),

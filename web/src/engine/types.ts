@@ -2,7 +2,7 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole } from "./abi";
+import type { BodyPart as AnyPart, BodyRole } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -66,16 +66,24 @@ export type MotionInput =
   | { format: "bvh"; name: string; text: string }
   | { format: "acclaim"; skeletonName: string; skeleton: string; name: string; text: string };
 
+/** What a joint is: at most one joint of a side is each. */
+export type BodyPart = Exclude<AnyPart, "none">;
+
 export interface Joint {
   name: string;
   /** -1 for the root. */
   parent: number;
+  /** As the engine found it, null for joints without a part (see the names) and on the middle line. */
+  side: "left" | "right" | null;
+  part: BodyPart | null;
 }
 
 /** A clip resampled to 30 fps. */
 export interface Motion {
   frames: number;
   joints: Joint[];
+  /** Whether the joints of a body could be told: both feet, and the head or a hand. */
+  told: boolean;
   /** T x J x 3, world metres; the floor under the feet is y = 0. */
   positions: Float32Array;
   /** T x J x 3, body-local: root at the origin, yaw removed. */
