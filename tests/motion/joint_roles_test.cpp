@@ -43,10 +43,10 @@ Skeleton skeleton(const Vocabulary& words) {
   return s;
 }
 
-constexpr BodyPart every_part[] = {
-    BodyPart::hips,      BodyPart::spine, BodyPart::chest,     BodyPart::neck,      BodyPart::head, BodyPart::shoulder,
-    BodyPart::upper_arm, BodyPart::hand,  BodyPart::lower_arm, BodyPart::upper_leg, BodyPart::foot, BodyPart::lower_leg,
-    BodyPart::toe,       BodyPart::tip};
+constexpr BodyPart every_part[] = {BodyPart::hips,      BodyPart::spine,     BodyPart::chest,     BodyPart::neck,
+                                   BodyPart::head,      BodyPart::shoulder,  BodyPart::upper_arm, BodyPart::hand,
+                                   BodyPart::lower_arm, BodyPart::upper_leg, BodyPart::foot,      BodyPart::lower_leg,
+                                   BodyPart::toe,       BodyPart::tip};
 
 // The joints of our own motions, in the order of the 21 roles of the vocabularies.
 struct RoleJoint {
@@ -54,27 +54,18 @@ struct RoleJoint {
   BodySide side;
   BodyPart part;
 };
-constexpr RoleJoint role_joints[] = {{"Hips", BodySide::none, BodyPart::hips},
-                                     {"Spine", BodySide::none, BodyPart::spine},
-                                     {"Spine2", BodySide::none, BodyPart::chest},
-                                     {"Neck", BodySide::none, BodyPart::neck},
-                                     {"Head", BodySide::none, BodyPart::head},
-                                     {"LeftShoulder", BodySide::left, BodyPart::shoulder},
-                                     {"LeftArm", BodySide::left, BodyPart::upper_arm},
-                                     {"LeftForeArm", BodySide::left, BodyPart::lower_arm},
-                                     {"LeftHand", BodySide::left, BodyPart::hand},
-                                     {"RightShoulder", BodySide::right, BodyPart::shoulder},
-                                     {"RightArm", BodySide::right, BodyPart::upper_arm},
-                                     {"RightForeArm", BodySide::right, BodyPart::lower_arm},
-                                     {"RightHand", BodySide::right, BodyPart::hand},
-                                     {"LeftUpLeg", BodySide::left, BodyPart::upper_leg},
-                                     {"LeftLeg", BodySide::left, BodyPart::lower_leg},
-                                     {"LeftFoot", BodySide::left, BodyPart::foot},
-                                     {"LeftToe", BodySide::left, BodyPart::toe},
-                                     {"RightUpLeg", BodySide::right, BodyPart::upper_leg},
-                                     {"RightLeg", BodySide::right, BodyPart::lower_leg},
-                                     {"RightFoot", BodySide::right, BodyPart::foot},
-                                     {"RightToe", BodySide::right, BodyPart::toe}};
+constexpr RoleJoint role_joints[] = {
+    {"Hips", BodySide::none, BodyPart::hips},           {"Spine", BodySide::none, BodyPart::spine},
+    {"Spine2", BodySide::none, BodyPart::chest},        {"Neck", BodySide::none, BodyPart::neck},
+    {"Head", BodySide::none, BodyPart::head},           {"LeftShoulder", BodySide::left, BodyPart::shoulder},
+    {"LeftArm", BodySide::left, BodyPart::upper_arm},   {"LeftForeArm", BodySide::left, BodyPart::lower_arm},
+    {"LeftHand", BodySide::left, BodyPart::hand},       {"RightShoulder", BodySide::right, BodyPart::shoulder},
+    {"RightArm", BodySide::right, BodyPart::upper_arm}, {"RightForeArm", BodySide::right, BodyPart::lower_arm},
+    {"RightHand", BodySide::right, BodyPart::hand},     {"LeftUpLeg", BodySide::left, BodyPart::upper_leg},
+    {"LeftLeg", BodySide::left, BodyPart::lower_leg},   {"LeftFoot", BodySide::left, BodyPart::foot},
+    {"LeftToe", BodySide::left, BodyPart::toe},         {"RightUpLeg", BodySide::right, BodyPart::upper_leg},
+    {"RightLeg", BodySide::right, BodyPart::lower_leg}, {"RightFoot", BodySide::right, BodyPart::foot},
+    {"RightToe", BodySide::right, BodyPart::toe}};
 
 }  // namespace
 

@@ -87,7 +87,8 @@ TEST_CASE("joints above the hips change nothing") {
 
 TEST_CASE("what hangs beside the hips goes with the joint above them, and a numbered skeleton is folded too") {
   std::string text = with_joints_above(motion_text("walk.bvh"), {"root"}, "");
-  text.insert(text.find("}\nMOTION"), "JOINT ik_foot_l\n{\nOFFSET 9 0 0\nCHANNELS 0\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n");
+  text.insert(text.find("}\nMOTION"),
+              "JOINT ik_foot_l\n{\nOFFSET 9 0 0\nCHANNELS 0\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n");
   const Read plain = read(motion_text("walk.bvh"));
   CHECK(read(text).clip.skeleton.names == plain.clip.skeleton.names);
   Clip<double> clip;

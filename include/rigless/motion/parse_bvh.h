@@ -21,11 +21,11 @@ namespace rigless {
 // Joint origins of every whole frame, in the file's own lengths and axes (metres_per_unit is 1: see units.h and
 // up_axis.h). End Sites are joints named <parent>_end. Rotations multiply in the order of the channels; position
 // channels stand for the OFFSET, on joints other than the root also beside it, whichever the values fit. Of several
-// ROOTs the first is read; joints above the hips are left out, and what hangs beside these; names become unique. Allocates in proportion to what the text holds, whatever it declares.
-// Errors: empty_input, not_this_format, unexpected_end, bad_syntax, bad_number, unsupported with their line (a common
-// reason for bad_number is NaN, for unexpected_end a download that was cut); no_frames: not one whole frame;
-// not_finite: a number too large for S; out_of_memory: more than 2^26 positions. `clip` and `notes` then keep what they
-// had.
+// ROOTs the first is read; joints above the hips are left out, and what hangs beside these; names become unique.
+// Allocates in proportion to what the text holds, whatever it declares. Errors: empty_input, not_this_format,
+// unexpected_end, bad_syntax, bad_number, unsupported with their line (a common reason for bad_number is NaN, for
+// unexpected_end a download that was cut); no_frames: not one whole frame; not_finite: a number too large for S;
+// out_of_memory: more than 2^26 positions. `clip` and `notes` then keep what they had.
 template <class S>
 Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes = nullptr);
 

@@ -92,15 +92,15 @@ class BodyTree {
     while (joint >= 0) {
       chain.push_back(joint);
       const std::vector<std::int32_t>& next = tree_.children(joint);
-      const auto most = std::max_element(next.begin(), next.end(),
-                                         [&](auto a, auto b) { return reach_[at(a)] < reach_[at(b)]; });
+      const auto most =
+          std::max_element(next.begin(), next.end(), [&](auto a, auto b) { return reach_[at(a)] < reach_[at(b)]; });
       joint = most == next.end() ? -1 : *most;
     }
     return chain;
   }
 
-  // Where in a chain its two long bones begin: the last two that are nearly as long as any, since a collarbone may be as
-  // long as a forearm. -1 if it has no two bones. shorter: length of the shorter one.
+  // Where in a chain its two long bones begin: the last two that are nearly as long as any, since a collarbone may be
+  // as long as a forearm. -1 if it has no two bones. shorter: length of the shorter one.
   std::int32_t long_bones(const std::vector<std::int32_t>& chain, double& shorter) const {
     const auto both = [&](std::size_t k) {
       return std::min(poses_.distance(chain[k], chain[k + 1]), poses_.distance(chain[k + 1], chain[k + 2]));
@@ -145,11 +145,14 @@ class BodyTree {
     return best;
   }
   bool on_limb(const LimbPair& pair, const LimbPair& other) const {
-    const auto touches = [&](std::int32_t joint) { return tree_.within(joint, other.a) || tree_.within(joint, other.b); };
+    const auto touches = [&](std::int32_t joint) {
+      return tree_.within(joint, other.a) || tree_.within(joint, other.b);
+    };
     return touches(pair.fork) || touches(pair.a) || touches(pair.b);
   }
 
-  // The pair nearer to the root; side by side, that beside which nothing grows, and at one joint that which hangs lower.
+  // The pair nearer to the root; side by side, that beside which nothing grows, and at one joint that which hangs
+  // lower.
   bool first_are_legs(const LimbPair& first, const LimbPair& second) const {
     if (first.fork != second.fork) {
       if (tree_.within(second.fork, first.fork)) return true;

@@ -91,7 +91,9 @@ class NamedRoles {
     }
     std::array<std::int32_t, N> anywhere;
     for (std::size_t k = 0; k < N; ++k) anywhere[k] = first(side, parts[k]);
-    const auto count = [](const auto& joints) { return joints.size() - std::count(joints.begin(), joints.end(), -1); };
+    const auto count = [](const auto& joints) {
+      return std::count_if(joints.begin(), joints.end(), [](auto j) { return j >= 0; });
+    };
     return count(best) == 1 && count(anywhere) >= 3 ? anywhere : best;
   }
 
