@@ -108,6 +108,7 @@ struct MotionNotes {
   Number roots;
   Number renamed;
   Number lengths_ignored;
+  Number joints_folded;
   NameOf<UpAxis> up;
   NameOf<LengthUnit> unit;
 };

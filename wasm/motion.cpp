@@ -91,6 +91,7 @@ RIGLESS_EXPORT const MotionNotes* motion_notes(ObjectHandle motion) {
       .roots = n.roots,
       .renamed = n.renamed,
       .lengths_ignored = n.lengths_ignored,
+      .joints_folded = n.joints_folded,
       .up = motions[motion].file.up,
       .unit = motions[motion].file.unit.unit,
   });

@@ -12,9 +12,9 @@ using namespace rigless;
 namespace {
 
 std::string part_word(BodyPart part) {
-  constexpr const char* words[] = {"none",      "hips", "spine",  "chest",     "neck",      "head", "shoulder", "upper_arm",
-                                   "lower_arm", "hand", "finger", "upper_leg", "lower_leg", "foot", "toe",      "tip",
-                                   "end"};
+  constexpr const char* words[] = {"none",      "hips",      "spine",     "chest", "neck",   "head",
+                                   "shoulder",  "upper_arm", "lower_arm", "hand",  "finger", "upper_leg",
+                                   "lower_leg", "foot",      "toe",       "tip",   "end"};
   return words[static_cast<std::size_t>(part)];
 }
 

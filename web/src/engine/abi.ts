@@ -1,7 +1,7 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1179913409;
+export const ABI = 1724340309;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -151,12 +151,13 @@ export interface MotionNotes {
   roots: number;
   renamed: number;
   lengthsIgnored: number;
+  jointsFolded: number;
   up: UpAxis;
   unit: LengthUnit;
 }
 
 export const motionNotesRow: Row<MotionNotes> = {
-  doubles: 10,
+  doubles: 11,
   read: (n) => ({
     framesDeclared: n[0],
     framesRead: n[1],
@@ -166,8 +167,9 @@ export const motionNotesRow: Row<MotionNotes> = {
     roots: n[5],
     renamed: n[6],
     lengthsIgnored: n[7],
-    up: UP_AXIS_NAMES[n[8]],
-    unit: LENGTH_UNIT_NAMES[n[9]],
+    jointsFolded: n[8],
+    up: UP_AXIS_NAMES[n[9]],
+    unit: LENGTH_UNIT_NAMES[n[10]],
   }),
 };
 

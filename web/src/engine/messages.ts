@@ -104,6 +104,7 @@ export function motionNotes(name: string, found: MotionNotes): string[] {
   if (renamed > 0) notes.push(`${count(renamed)} ${renamed === 1 ? "joint has" : "joints have"} no name of its own and got a number.`);
   if (lengths > 0)
     notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
+  if (found.jointsFolded > 0) notes.push(`The motion of what stands above the hips in ${name} is theirs.`);
   if (found.up === "z") notes.push(`In ${name} the Z axis points up; it was turned upright.`);
   if (unit === "none") notes.push(`${name} is in no common unit; the person in it was made ${PERSON_HEIGHT} m tall.`);
   else if (UNITS[unit] !== "") notes.push(`${name} seems to be in ${UNITS[unit]}.`);

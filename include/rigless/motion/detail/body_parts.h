@@ -7,8 +7,8 @@
 namespace rigless {
 
 // A joint is named after where it is: upper_leg is the hip joint, lower_leg the knee, foot the ankle, toe the ball;
-// shoulder is the collar, upper_arm the shoulder joint, lower_arm the elbow, hand the wrist. tip is the end of the foot,
-// end any other end.
+// shoulder is the collar, upper_arm the shoulder joint, lower_arm the elbow, hand the wrist. tip is the end of the
+// foot, end any other end.
 enum class BodyPart : std::int32_t {
   none,
   hips,

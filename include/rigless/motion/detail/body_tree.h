@@ -92,24 +92,26 @@ class BodyTree {
     while (joint >= 0) {
       chain.push_back(joint);
       const std::vector<std::int32_t>& next = tree_.children(joint);
-      const auto most = std::max_element(next.begin(), next.end(),
-                                         [&](auto a, auto b) { return reach_[at(a)] < reach_[at(b)]; });
+      const auto most =
+          std::max_element(next.begin(), next.end(), [&](auto a, auto b) { return reach_[at(a)] < reach_[at(b)]; });
       joint = most == next.end() ? -1 : *most;
     }
     return chain;
   }
 
-  // Where in a chain its two long bones begin; both are at least `shorter` long. -1 if it has no two bones.
+  // Where in a chain its two long bones begin: the last two that are nearly as long as any, since a collarbone may be
+  // as long as a forearm. -1 if it has no two bones. shorter: length of the shorter one.
   std::int32_t long_bones(const std::vector<std::int32_t>& chain, double& shorter) const {
-    std::int32_t best = -1;
-    shorter = 0;
-    for (std::size_t k = 0; k + 2 < chain.size(); ++k) {
-      const double both = std::min(poses_.distance(chain[k], chain[k + 1]), poses_.distance(chain[k + 1], chain[k + 2]));
-      if (best >= 0 && both <= shorter * 1.001) continue;
-      best = static_cast<std::int32_t>(k);
-      shorter = both;
+    const auto both = [&](std::size_t k) {
+      return std::min(poses_.distance(chain[k], chain[k + 1]), poses_.distance(chain[k + 1], chain[k + 2]));
+    };
+    double longest = 0;
+    for (std::size_t k = 0; k + 2 < chain.size(); ++k) longest = std::max(longest, both(k));
+    for (std::size_t k = chain.size(); k-- > 2;) {
+      shorter = both(k - 2);
+      if (shorter >= 0.75 * longest) return static_cast<std::int32_t>(k) - 2;
     }
-    return best;
+    return -1;
   }
 
  private:
@@ -143,11 +145,14 @@ class BodyTree {
     return best;
   }
   bool on_limb(const LimbPair& pair, const LimbPair& other) const {
-    const auto touches = [&](std::int32_t joint) { return tree_.within(joint, other.a) || tree_.within(joint, other.b); };
+    const auto touches = [&](std::int32_t joint) {
+      return tree_.within(joint, other.a) || tree_.within(joint, other.b);
+    };
     return touches(pair.fork) || touches(pair.a) || touches(pair.b);
   }
 
-  // The pair nearer to the root; side by side, that beside which nothing grows, and at one joint that which hangs lower.
+  // The pair nearer to the root; side by side, that beside which nothing grows, and at one joint that which hangs
+  // lower.
   bool first_are_legs(const LimbPair& first, const LimbPair& second) const {
     if (first.fork != second.fork) {
       if (tree_.within(second.fork, first.fork)) return true;

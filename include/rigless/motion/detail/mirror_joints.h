@@ -32,7 +32,8 @@ inline std::vector<std::int32_t> mirror_joints(const Skeleton& skeleton, const J
     const JointName& l = names[static_cast<std::size_t>(a)];
     for (std::int32_t b = 0; b < count && l.side == BodySide::left && twin(a) == a; ++b) {
       const JointName& r = names[static_cast<std::size_t>(b)];
-      if (r.side == BodySide::right && l.label.compare(left, l.label.npos, r.label, right, r.label.npos) == 0) pair(a, b);
+      if (r.side == BodySide::right && l.label.compare(left, l.label.npos, r.label, right, r.label.npos) == 0)
+        pair(a, b);
     }
   }
   return mirror;

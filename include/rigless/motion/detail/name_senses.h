@@ -49,27 +49,32 @@ struct SenseWords {
 
 inline constexpr SenseWords sense_words[] = {
     {NameSense::hips,
-     " hips pelvis hipcenter hipscenter centerhip midhip spinebase lowertorso torsolower lowerbody becken bassin bacino "
+     " hips pelvis hipcenter hipscenter centerhip midhip spinebase lowertorso torsolower lowerbody becken bassin "
+     "bacino "
      "bacia таз 骨盆 骨盤 臀部 下半身 腰 センター 골반 엉덩이 "},
     {NameSense::hip, " hip hufte hanche hanches cadera caderas anca "},
     {NameSense::root, " root center centre cog com centerofmass centerofgravity "},
     {NameSense::spine,
-     " spine back lowerback torso abdomen abdomenlower abdomenupper lowerabdomen upperabdomen waist belly stomach lumbar "
+     " spine back lowerback torso abdomen abdomenlower abdomenupper lowerabdomen upperabdomen waist belly stomach "
+     "lumbar "
      "spinemid midspine spinelower spineupper spinenavel spinenaval spinetwist l1 l2 l3 l4 l5 t9 t10 t11 t12 "
      "wirbelsaule ruckgrat rucken bauch colonne colonnevertebrale dos ventre columna espina espalda colonna coluna "
      "позвоночник спина живот 上半身 脊椎 脊柱 背骨 腰部 腰椎 척추 허리 "},
     {NameSense::upper_back, " upperback backupper "},
     {NameSense::chest,
      " chest upperchest chestupper chestlower lowerchest thorax ribcage ribs uppertorso torsoupper spineshoulder "
-     "spinechest shouldercenter centershoulder sternum t1 t2 t3 t4 t5 t6 t7 t8 brust brustkorb poitrine torse pecho torax "
+     "spinechest shouldercenter centershoulder sternum t1 t2 t3 t4 t5 t6 t7 t8 brust brustkorb poitrine torse pecho "
+     "torax "
      "petto torace peito грудь 胸 胸部 胸腔 가슴 "},
     {NameSense::neck,
-     " neck lowerneck upperneck necklower neckupper neckbase necktwist hals nacken cou cuello collo pescoco шея 首 颈 颈部 "
+     " neck lowerneck upperneck necklower neckupper neckbase necktwist hals nacken cou cuello collo pescoco шея 首 颈 "
+     "颈部 "
      "頸 脖子 목 "},
     {NameSense::head, " head kopf tete cabeza testa cabeca голова 頭 头 头部 머리 "},
     {NameSense::nose, " nose skull "},
     {NameSense::collar,
-     " collar collarbone clavicle clav clavicula scapula shoulderblade schlusselbein schluesselbein clavicule clavicola "
+     " collar collarbone clavicle clav clavicula scapula shoulderblade schlusselbein schluesselbein clavicule "
+     "clavicola "
      "ключица лопатка 肩 锁骨 鎖骨 쇄골 "},
     {NameSense::shoulder, " shoulder shoulders schulter epaule hombro spalla ombro 肩膀 어깨 "},
     {NameSense::upper_arm,
@@ -98,21 +103,25 @@ inline constexpr SenseWords sense_words[] = {
      " ankle knochel fussgelenk cheville tobillo caviglia tornozelo щиколотка лодыжка 足首 足踝 脚踝 脚腕 발목 "},
     {NameSense::foot, " foot feet fuss pied pie piede pe стопа ступня 脚 足部 발 "},
     {NameSense::toe,
-     " toe toes toebase ball toeball football ballfoot footindex foottoe zehe zehen orteil orteils dedospie dedosdelpie "
+     " toe toes toebase ball toeball football ballfoot footindex foottoe zehe zehen orteil orteils dedospie "
+     "dedosdelpie "
      "punta носок つま先 足先 脚趾 脚尖 足尖 발가락 발끝 "},
     {NameSense::big_toe, " bigtoe toebig hallux "},
     {NameSense::helper,
-     " ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair breast "
+     " ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair "
+     "breast "
      "socket dummy "},
 };
 
 // Say nothing of the part, wherever they stand.
 inline constexpr std::string_view noise_words =
-    " joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig armature character char j b c m x bend "
+    " joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig armature character char j b c m x "
+    "bend "
     "stretch deform skeleton ";
 inline constexpr std::string_view end_words = " end nub site endsite tip top eff effector leaf ";
 inline constexpr std::string_view left_words =
-    " l left lt lft links linke linker linkes gauche izq izquierda izquierdo esquerda esquerdo sinistra sinistro sx левая "
+    " l left lt lft links linke linker linkes gauche izq izquierda izquierdo esquerda esquerdo sinistra sinistro sx "
+    "левая "
     "левое левый лев 左 왼쪽 왼 ";
 inline constexpr std::string_view right_words =
     " r right rt rgt rechts rechte rechter rechtes droite droit der derecha derecho direita direito destra destro dx "

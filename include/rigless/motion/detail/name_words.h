@@ -9,8 +9,8 @@
 
 namespace rigless::detail {
 
-// The code point that begins at `i`, which moves behind it; full-width letters and digits become plain ones. A byte that
-// is no UTF-8 stands for itself. Does not allocate.
+// The code point that begins at `i`, which moves behind it; full-width letters and digits become plain ones. A byte
+// that is no UTF-8 stands for itself. Does not allocate.
 inline std::uint32_t next_code_point(std::string_view text, std::size_t& i) {
   const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
   std::uint32_t c = byte(i++);

@@ -12,35 +12,11 @@
 
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
+#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/euler.h"
 #include "rigless/motion/detail/text_scanner.h"
 
 namespace rigless {
-
-// One value of a bone's line in an AMC file.
-struct AcclaimChannel {
-  enum class Kind : std::int32_t { rotation, translation, length };
-  Kind kind;
-  std::int32_t axis;
-};
-
-struct AcclaimBone {
-  std::string name;
-  std::int32_t parent = -1;                       // an earlier bone; -1: the root, or a bone that hangs nowhere
-  Vec3<double> direction = Vec3<double>::Zero();  // at rest, in world axes, unit
-  double length = 0;                              // file units
-  Mat3<double> axis = Mat3<double>::Identity();   // C: the bone's own axes in the world at rest
-  std::vector<AcclaimChannel> channels;           // in the order of the values, the first turn being applied first
-};
-
-struct AcclaimSkeleton {
-  std::vector<AcclaimBone> bones;                       // 0 is the root
-  std::vector<std::int32_t> order;                      // bones of the hierarchy, a parent before its children
-  std::unordered_map<std::string, std::int32_t> index;  // by name
-  Vec3<double> root_position = Vec3<double>::Zero();
-  double length_unit = 1;  // a value times 0.0254 / length_unit is metres
-  bool degrees = true;
-};
 
 // Sections in any order; what is unknown (limits, masses, comments) is skipped. Allocates in proportion to the text.
 // Errors: empty_input; not_this_format: no :root, :bonedata and :hierarchy, for example an AMC file; unexpected_end,

@@ -44,9 +44,7 @@ struct JointRoles {
 
   bool has_feet() const { return left.ankle >= 0 && left.toe >= 0 && right.ankle >= 0 && right.toe >= 0; }
   // Whether the joints of this body can be told: both feet, and the head or a hand.
-  bool known() const {
-    return left.ankle >= 0 && right.ankle >= 0 && (head >= 0 || left.hand >= 0 || right.hand >= 0);
-  }
+  bool known() const { return left.ankle >= 0 && right.ankle >= 0 && (head >= 0 || left.hand >= 0 || right.hand >= 0); }
   // -1 where there is none, and for fingers and ends, of which there are many.
   std::int32_t find(BodySide side, BodyPart part) const;
   // J: what each joint is; no place has two joints. Allocates.
@@ -59,21 +57,36 @@ inline std::int32_t JointRoles::find(BodySide side, BodyPart part) const {
   const LimbRoles& limb = side == BodySide::left ? left : right;
   const bool middle = side == BodySide::none;
   switch (part) {
-    case BodyPart::hips: return middle ? root : -1;
-    case BodyPart::spine: return middle ? spine : -1;
-    case BodyPart::chest: return middle ? chest : -1;
-    case BodyPart::neck: return middle ? neck : -1;
-    case BodyPart::head: return middle ? head : -1;
-    case BodyPart::shoulder: return middle ? -1 : limb.collar;
-    case BodyPart::upper_arm: return middle ? -1 : limb.shoulder;
-    case BodyPart::lower_arm: return middle ? -1 : limb.elbow;
-    case BodyPart::hand: return middle ? -1 : limb.hand;
-    case BodyPart::upper_leg: return middle ? -1 : limb.hip;
-    case BodyPart::lower_leg: return middle ? -1 : limb.knee;
-    case BodyPart::foot: return middle ? -1 : limb.ankle;
-    case BodyPart::toe: return middle ? -1 : limb.toe;
-    case BodyPart::tip: return middle ? -1 : limb.tip;
-    default: return -1;
+    case BodyPart::hips:
+      return middle ? root : -1;
+    case BodyPart::spine:
+      return middle ? spine : -1;
+    case BodyPart::chest:
+      return middle ? chest : -1;
+    case BodyPart::neck:
+      return middle ? neck : -1;
+    case BodyPart::head:
+      return middle ? head : -1;
+    case BodyPart::shoulder:
+      return middle ? -1 : limb.collar;
+    case BodyPart::upper_arm:
+      return middle ? -1 : limb.shoulder;
+    case BodyPart::lower_arm:
+      return middle ? -1 : limb.elbow;
+    case BodyPart::hand:
+      return middle ? -1 : limb.hand;
+    case BodyPart::upper_leg:
+      return middle ? -1 : limb.hip;
+    case BodyPart::lower_leg:
+      return middle ? -1 : limb.knee;
+    case BodyPart::foot:
+      return middle ? -1 : limb.ankle;
+    case BodyPart::toe:
+      return middle ? -1 : limb.toe;
+    case BodyPart::tip:
+      return middle ? -1 : limb.tip;
+    default:
+      return -1;
   }
 }
 
