@@ -202,12 +202,16 @@ export class NameReader {
   }
 
   private label(result: readonly { side: Side; part: Part }[]): JointName[] {
-    const taken = new Set<string>();
+    const taken = new Map<string, number>();
     return result.map(({ side, part }, j) => {
       const text = partLabel(side, part) ?? sentence(side, ownWords(this.names[j]));
       let unique = text;
-      for (let n = 2; taken.has(unique); n++) unique = `${text} ${n}`;
-      taken.add(unique);
+      let last = taken.get(text) ?? 0;
+      if (last++ > 0) {
+        for (unique = `${text} ${last}`; taken.has(unique); ) unique = `${text} ${++last}`;
+        taken.set(unique, 1);
+      }
+      taken.set(text, last);
       return { side, part, label: unique };
     });
   }
