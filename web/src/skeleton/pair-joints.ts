@@ -1,9 +1,10 @@
 // The same joint on another skeleton: by its exact name where that means the same, else by its role, else by what it is called.
 // Pure.
 
+import { partLabel } from "./joint-labels";
 import { readJointNames } from "./joint-names";
 import type { BodyPart, JointName, Side } from "./body-parts";
-import { NameReader, partLabel } from "./name-reader";
+import { NameReader } from "./name-reader";
 
 /** A joint of a skeleton and its role there, which no other joint has; without one, both are null. */
 export interface RoledJoint {
