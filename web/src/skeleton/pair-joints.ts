@@ -1,9 +1,10 @@
 // The same joint on another skeleton: by its exact name where that means the same, else by its role, else by what it is called.
 // Pure.
 
+import { partLabel } from "./joint-labels";
 import { readJointNames } from "./joint-names";
 import type { BodyPart, JointName, Side } from "./body-parts";
-import { NameReader, partLabel } from "./name-reader";
+import { NameReader } from "./name-reader";
 
 /** A joint of a skeleton and its role there, which no other joint has; without one, both are null. */
 export interface RoledJoint {
@@ -96,15 +97,11 @@ function once<K extends object, V>(make: (key: K) => V): (key: K) => V {
   };
 }
 
-/** The joint on the other side, itself in the middle; -1 where that cannot be told. */
+/** The joint of the same part on the other side, itself in the middle; -1 without a role. */
 export function jointPartners(joints: readonly RoledJoint[]): Int32Array {
-  const words = describeJoints(joints).map(({ side, part, label }, j) => roleOf(joints[j]) ?? (part || side ? label.toLowerCase() : null));
-  const at = new Map(words.flatMap((word, j) => entry(word, j)).reverse());
-  return Int32Array.from(words, (word) => (word === null ? -1 : (at.get(otherSide(word)) ?? -1)));
-}
-
-function otherSide(words: string): string {
-  return words.replace(/^(left|right)\b/, (side) => (side === "left" ? "right" : "left"));
+  const roles = joints.map(roleOf);
+  const swapped = { left: "right", right: "left" } as const;
+  return Int32Array.from(joints, ({ side, part }) => (part ? roles.indexOf(roleOf({ side: side && swapped[side], part })) : -1));
 }
 
 const entry = <K>(key: K | null, value: number): (readonly [K, number])[] => (key === null ? [] : [[key, value]]);

@@ -87,11 +87,15 @@ function lostPoints(document: ProjectDocument, motion: Pick<Motion, "joints">, n
   return [`${name} has none of the joints ${list(lost.map(({ joint }) => joint))}: all points follow the whole pose.`];
 }
 
-/** Why this motion is none for this document, or null: not one of the joints that its points name is found, or none can be told. */
+/**
+ * Why this motion is none for this document, or null: it has none of the joints that the points name; or which joints are what
+ * cannot be told, and it does not have them all.
+ */
 export function pairingFault(document: ProjectDocument, motion: Pick<Motion, "joints" | "told">): string | null {
   const name = motionName(document);
   const wanted = document.points.flatMap(({ joint }) => joint ?? []);
-  if (pointJoints(document, motion).some((joint) => joint >= 0) || (wanted.length === 0 && motion.told)) return null;
+  const found = pointJoints(document, motion).filter((joint) => joint >= 0).length;
+  if (motion.told ? found > 0 || wanted.length === 0 : found > 0 && found === wanted.length) return null;
   return motion.told ? `${name} has none of the joints ${list(wanted)}, which the points follow.` : untoldText(name);
 }
 

@@ -25,3 +25,26 @@ export function numberedJoints(prefix: string, ...roles: string[]): Joint[] {
     };
   });
 }
+
+const VERTEBRAE = 7;
+const ROW = Array.from({ length: 3 * VERTEBRAE + 3 }, () => 0).join(" ");
+
+/** A BVH of a body without limbs. */
+export const SNAKE = `HIERARCHY
+${Array.from(
+  { length: VERTEBRAE },
+  (_, n) => `${n ? "JOINT" : "ROOT"} b${n}
+{
+OFFSET 0 0 ${n ? 0.3 : 0}
+CHANNELS ${n ? "3" : "6 Xposition Yposition Zposition"} Zrotation Xrotation Yrotation
+`,
+).join("")}End Site
+{
+OFFSET 0 0 0.3
+}
+${"}\n".repeat(VERTEBRAE)}MOTION
+Frames: 2
+Frame Time: 0.0333
+${ROW}
+${ROW}
+`;

@@ -13,6 +13,7 @@ import { saveProject } from "../../src/io/project-file";
 import { parseProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
 import { hasShared, sharedFile } from "../support/files";
+import { SNAKE } from "../support/joints";
 import { post } from "./engine-support";
 
 const web = fileURLToPath(new URL("../../", import.meta.url));
@@ -180,7 +181,7 @@ describe("what cannot be done", () => {
     expect(run.stdout).toBe("");
     expect(run.stderr).toMatch(/^rigless: [^\n]+\n$/);
     expect(readdirSync(folder)).toEqual(before);
-    expect(run.code).toBe(/--(?!every 2)|bake /.test(run.stderr) ? 2 : 1);
+    expect(run.code).toBe(/--(?!every 2|anyway bakes)|bake /.test(run.stderr) ? 2 : 1);
     return run.stderr.slice("rigless: ".length, -1);
   }
 
@@ -238,9 +239,41 @@ describe("what cannot be done", () => {
     const slow =
       "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}\nMOTION\nFrames: 125\nFrame Time: 10\n" +
       Array.from({ length: 125 }, (_, f) => `0 ${f % 2} 0\n`).join("");
-    expect(await refused({ "hop.bvh": slow, "project.json": project({}) })).toBe(
+    const anyway = ["bake", "project.json", "--out", "dance.glb", "--quiet", "--anyway"];
+    expect(await refused({ "hop.bvh": slow, "project.json": project({}) }, ...anyway)).toBe(
       "dance.glb would hold 5.5 GB, more than a GLB can: --every 2 keeps fewer of its 37,201 frames.",
     );
+  });
+
+  it("does not bake a motion that cannot move the points, unless it is told to", async () => {
+    const untold =
+      "We cannot tell which joints of hop.bvh are its head, hands and feet, neither by their names nor by how they hang together.";
+    expect(await refused({ "bean.obj": bean, "hop.bvh": SNAKE, "project.json": project({}) })).toBe(
+      `${untold} --anyway bakes it all the same.`,
+    );
+    expect(await refused({}, "bake", "bean.obj", "hop.bvh", "--track", "t.json", "--quiet")).toBe(
+      `${untold} --anyway bakes it all the same.`,
+    );
+    const run = await rigless("bake", "project.json", "--track", "t.json", "--anyway");
+    expect(run).toMatchObject({ code: 0, stderr: expect.stringContaining(`note: ${untold}\n`) as string });
+
+    const points = ["Fin", "Tail"].map((joint, n) => ({ id: joint, name: joint, position: [n, 0, 0], joint }));
+    expect(await refused({ "hop.bvh": hop, "project.json": project({ points }) })).toBe(
+      'hop.bvh has none of the joints "Fin", "Tail", which the points follow. --anyway bakes it all the same.',
+    );
+    const lost = await rigless("bake", "project.json", "--track", "t.json", "--anyway");
+    expect(lost).toMatchObject({
+      code: 0,
+      stderr: expect.stringContaining('note: hop.bvh has none of the joints "Fin", "Tail": all points follow the whole pose.\n') as string,
+    });
+    const some = [...points, { id: "h", name: "Hand", position: [0, 1, 0], joint: "rig:l_hand" }];
+    writeFileSync(join(folder, "project.json"), project({ points: some }));
+    const run2 = await rigless("bake", "project.json", "--track", "t.json");
+    expect(run2).toMatchObject({
+      code: 0,
+      stderr: expect.stringContaining('has no joint "Fin": "Fin" follows the whole pose.\n') as string,
+    });
+    expect(run2.stderr).not.toContain("Hand");
   });
 
   it("takes one model and one motion", async () => {

@@ -1,6 +1,5 @@
 // One walk under many spellings of its joints: the same pairs and the same dance.
 
-import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import { mirroredFrame } from "../../src/app/mirrored";
@@ -16,6 +15,7 @@ import { controlInputs, meshInput, retargetInput } from "../../src/sync/prepare"
 import type { SolverModel } from "../../src/sync/prepare";
 import { buildBodyPlan } from "../../src/viewport/body-plan";
 import { asset } from "../support/files";
+import { SNAKE } from "../support/joints";
 import { golden, hasShared, sharedText, walk02 } from "./engine-support";
 
 const WALK = new TextDecoder().decode(asset("motions/walk.bvh").bytes);
@@ -72,10 +72,14 @@ function namesOf(joints: Golden["skeletons"][number]["joints"]): Names {
   return new Map(ROLES.flatMap(([role, joint]) => (of(role) === undefined ? [] : [[joint, of(role) ?? ""]])));
 }
 
-const vocabularies: [string, Names][] = golden<Golden>("joint-names").skeletons.map(({ vocabulary, joints }) => [
-  vocabulary,
-  vocabulary === "numbers" ? new Map(joints.map(([name], n) => [ROLES[n][1], name])) : namesOf(joints),
-]);
+// The names of Acclaim's joints mean the far ends of bones, but in a BVH, which has ends, their beginnings.
+const { skeletons } = golden<Golden>("joint-names");
+const vocabularies = skeletons
+  .filter(({ vocabulary }) => vocabulary !== "CMU Acclaim")
+  .map(({ vocabulary, joints }): [string, Names] => [
+    vocabulary,
+    vocabulary === "numbers" ? new Map(joints.map(([name], n) => [ROLES[n][1], name])) : namesOf(joints),
+  ]);
 if (hasShared) {
   const { names } = JSON.parse(sharedText("vocabularies.json")) as { names: Record<string, string[]> };
   for (const [vocabulary, list] of Object.entries(names))
@@ -111,9 +115,6 @@ async function dance(model: SolverModel, document: ProjectDocument, motion: Moti
   return engine.retarget(retargetInput(model, document, motion));
 }
 
-/** Metres. */
-const farthest = (a: Float32Array, b: Float32Array): number => a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i])), 0);
-
 describe("a bare model", async () => {
   const model = await readModel([asset("cactus/cactus.glb")]);
   let guessed: (motion: Motion) => ProjectDocument;
@@ -142,9 +143,9 @@ describe("a bare model", async () => {
   });
 });
 
-describe.each(["cactus", "characters/dinosaur"])("the project of %s", async (folder) => {
-  const { document } = parseProject(new TextDecoder().decode(asset(`${folder}/project.json`).bytes), "project.json");
-  const model = await readModel([asset(`${folder}/${document.mesh.file}`)]);
+describe("a project with poses", async () => {
+  const { document } = parseProject(new TextDecoder().decode(asset("characters/dinosaur/project.json").bytes), "project.json");
+  const model = await readModel([asset(`characters/dinosaur/${document.mesh.file}`)]);
   let own: Performance;
   let pairs: Int32Array;
   let mirrored: (number | null)[];
@@ -161,7 +162,7 @@ describe.each(["cactus", "characters/dinosaur"])("the project of %s", async (fol
     expect(exampleJoints(document, motion).filter((joints) => joints === null)).toEqual([]);
     expect(pairingNotes(document, motion)).toEqual([]);
     const { controls } = await dance(model, document, motion);
-    expect(farthest(controls, own.controls)).toBe(0);
+    expect(controls).toEqual(own.controls);
     expect(document.examples.map((example) => mirroredFrame(example, document, motion))).toEqual(mirrored);
   });
 });
@@ -188,18 +189,7 @@ it("a mannequin of numbered joints is the one of the named", async () => {
 });
 
 it("a motion of no body is told to be none", async () => {
-  const text = readFileSync(new URL("../../../tests/golden/joint-names.json", import.meta.url), "utf8");
-  expect(text).not.toBe("");
-  const snake = ["ROOT a", ...Array.from({ length: 6 }, (_, n) => `JOINT b${n}`)];
-  const open = snake
-    .map(
-      (line, n) =>
-        `${line}\n{\nOFFSET 0 0 ${n ? 0.3 : 0}\nCHANNELS ${n ? 3 : "6 Xposition Yposition Zposition"} Zrotation Xrotation Yrotation\n`,
-    )
-    .join("");
-  const row = Array.from({ length: 3 * snake.length + 3 }, () => 0).join(" ");
-  const bvh = `HIERARCHY\n${open}End Site\n{\nOFFSET 0 0 0.3\n}\n${"}\n".repeat(snake.length)}MOTION\nFrames: 2\nFrame Time: 0.0333\n${row}\n${row}\n`;
-  const motion = await read(bvh);
+  const motion = await read(SNAKE);
   expect(motion.told).toBe(false);
   const { document } = parseProject(new TextDecoder().decode(asset("cactus/project.json").bytes), "project.json");
   expect(pairingFault(document, motion)).toMatch(/^We cannot tell which joints of \S+ are/);

@@ -17,7 +17,7 @@ test.each(skeletons.map(({ vocabulary, joints }) => [vocabulary, joints] as cons
 test("no two joints of a skeleton are called the same", () => {
   for (const names of [
     ["Hips", "hips", "HIPS", "Hips 2"],
-    ["a", "a", "a"],
+    ["tail", "tail 2", "Tail"],
     ["", " ", "_"],
     ["LeftHand", "left_hand", "Left hand 2"],
   ]) {

@@ -65,6 +65,7 @@ describe("a document's joints in a motion", () => {
     expect(pairingFault(project(point("a", null)), strange)).toBe(sentence);
     expect(pairingFault(project(point("a", "Head")), strange)).toBe(sentence);
     expect(pairingFault(project(point("a", "b")), strange)).toBeNull();
+    expect(pairingFault(project(point("a", "b"), point("c", "Head")), strange)).toBe(sentence);
     expect(pairingFault(project(point("a", null)), { ...strange, told: true })).toBeNull();
   });
 });
