@@ -12,6 +12,7 @@
 #include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/contacts.h"
+#include "rigless/motion/joint_names.h"
 #include "rigless/motion/joint_roles.h"
 #include "rigless/motion/parse_acclaim.h"
 #include "rigless/motion/parse_bvh.h"

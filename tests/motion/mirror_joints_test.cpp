@@ -43,8 +43,8 @@ TEST_CASE("left and right joints are each other's mirror images, whatever way th
 TEST_CASE("legs without names for their sides are paired by their roles") {
   const Skeleton skeleton = {{"a", "b", "c", "d", "e", "f", "g"}, {-1, 0, 1, 2, 0, 4, 5}};
   JointRoles roles;
-  roles.left = {1, 2, 3, -1, -1, -1};
-  roles.right = {4, 5, 6, -1, -1, -1};
+  roles.left = {1, 2, 3, -1, -1, -1, -1, -1, -1};
+  roles.right = {4, 5, 6, -1, -1, -1, -1, -1, -1};
   CHECK(mirror_joints(skeleton, roles) == std::vector<std::int32_t>{0, 4, 5, 6, 1, 2, 3});
 }
 

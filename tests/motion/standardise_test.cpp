@@ -42,6 +42,16 @@ Clip<S> person(double scale, double yaw = 0) {
 
 std::vector<Vec3<double>> rest_of(const Clip<double>& clip) { return clip.positions; }
 
+// Mean body-local position of every joint.
+template <class S>
+std::vector<Vec3<S>> mean_body_pose(const Clip<S>& clip) {
+  const std::vector<S> yaw = body_yaw(clip);
+  const std::vector<Vec3<S>> local = body_local_positions(clip, Span<const S>(yaw));
+  std::vector<Vec3<S>> mean(clip.skeleton.names.size(), Vec3<S>::Zero());
+  for (std::size_t i = 0; i < local.size(); ++i) mean[i % mean.size()] += local[i] / static_cast<S>(clip.frames);
+  return mean;
+}
+
 }  // namespace
 
 TEST_CASE_TEMPLATE("units by standing height", S, float, double) {

@@ -44,14 +44,4 @@ JointRoles find_joint_roles(const Clip<S>& clip) {
   return detail::RoleFinder(clip.skeleton).find(detail::Poses(std::move(positions), clip.skeleton.names.size()));
 }
 
-// Mean body-local position of every joint.
-template <class S>
-std::vector<Vec3<S>> mean_body_pose(const Clip<S>& clip) {
-  const std::vector<S> yaw = body_yaw(clip);
-  const std::vector<Vec3<S>> local = body_local_positions(clip, Span<const S>(yaw));
-  std::vector<Vec3<S>> mean(clip.skeleton.names.size(), Vec3<S>::Zero());
-  for (std::size_t i = 0; i < local.size(); ++i) mean[i % mean.size()] += local[i] / static_cast<S>(clip.frames);
-  return mean;
-}
-
 }  // namespace rigless

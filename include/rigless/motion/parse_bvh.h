@@ -12,6 +12,7 @@
 #include "rigless/motion/clip.h"
 #include "rigless/motion/detail/bvh_hierarchy.h"
 #include "rigless/motion/detail/euler.h"
+#include "rigless/motion/detail/fold_root.h"
 #include "rigless/motion/detail/parse_notes.h"
 #include "rigless/motion/detail/text_scanner.h"
 
@@ -20,7 +21,7 @@ namespace rigless {
 // Joint origins of every whole frame, in the file's own lengths and axes (metres_per_unit is 1: see units.h and
 // up_axis.h). End Sites are joints named <parent>_end. Rotations multiply in the order of the channels; position
 // channels stand for the OFFSET, on joints other than the root also beside it, whichever the values fit. Of several
-// ROOTs the first is read; names become unique. Allocates in proportion to what the text holds, whatever it declares.
+// ROOTs the first is read; joints above the hips are left out, and what hangs beside these; names become unique. Allocates in proportion to what the text holds, whatever it declares.
 // Errors: empty_input, not_this_format, unexpected_end, bad_syntax, bad_number, unsupported with their line (a common
 // reason for bad_number is NaN, for unexpected_end a download that was cut); no_frames: not one whole frame;
 // not_finite: a number too large for S; out_of_memory: more than 2^26 positions. `clip` and `notes` then keep what they
@@ -137,19 +138,44 @@ bool all_finite(const Clip<S>& clip) {
   return true;
 }
 
+// Joint positions without motion from the hips on, in the axes in which a joint above them leaves them in a pose.
+inline std::vector<Vec3<double>> bvh_rest(const BvhHierarchy& hierarchy, const KeptJoints& kept,
+                                          const std::vector<Mat3<double>>& rotations) {
+  std::vector<Vec3<double>> rest(static_cast<std::size_t>(hierarchy.joints), Vec3<double>::Zero());
+  std::vector<Vec3<double>> result;
+  for (const std::int32_t j : kept.joints) {
+    const BvhNode& node = hierarchy.nodes[static_cast<std::size_t>(j)];
+    Vec3<double>& at = rest[static_cast<std::size_t>(j)];
+    if (!result.empty()) at = rest[static_cast<std::size_t>(node.parent)] + node.offset;
+    result.push_back(at);
+  }
+  const std::int32_t above = hierarchy.nodes[kept.hips()].parent;
+  for (Vec3<double>& p : result) {
+    if (above >= 0) p = (rotations[static_cast<std::size_t>(above)] * p).eval();
+  }
+  return result;
+}
+
+// The world positions of the joints that the clip keeps; the root's rotation is that of the hips.
 template <class S>
-void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, Clip<S>& clip) {
-  const std::size_t joints = static_cast<std::size_t>(hierarchy.joints);
+void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const Skeleton& skeleton, Clip<S>& clip,
+                   ParseNotes& notes) {
+  const std::size_t joints = skeleton.names.size();
   const bool stand_for_offset = bvh_positions_stand_for_offset(hierarchy, motion);
   std::vector<Vec3<double>> positions(joints);
   std::vector<Mat3<double>> rotations(joints);
-  clip.positions.reserve(static_cast<std::size_t>(clip.frames) * joints);
+  pose_bvh(hierarchy, motion.values.data(), stand_for_offset, positions, rotations);
+  const KeptJoints kept = joints_from_hips(skeleton, positions);
+  clip.skeleton = kept_skeleton(skeleton, kept);
+  notes.joints_folded = kept.above;
+  notes.rest = bvh_rest(hierarchy, kept, rotations);
+  clip.positions.reserve(static_cast<std::size_t>(clip.frames) * kept.joints.size());
   clip.root_rotation.reserve(static_cast<std::size_t>(clip.frames));
   const std::size_t stride = static_cast<std::size_t>(hierarchy.channels);
   for (std::size_t i = 0; i < motion.values.size(); i += stride) {
     pose_bvh(hierarchy, motion.values.data() + i, stand_for_offset, positions, rotations);
-    for (const Vec3<double>& p : positions) clip.positions.push_back(p.cast<S>());
-    clip.root_rotation.push_back(Eigen::Quaterniond(rotations[0]).normalized().cast<S>());
+    for (const std::int32_t j : kept.joints) clip.positions.push_back(positions[static_cast<std::size_t>(j)].cast<S>());
+    clip.root_rotation.push_back(Eigen::Quaterniond(rotations[kept.hips()]).normalized().cast<S>());
   }
 }
 
@@ -170,18 +196,16 @@ Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes) {
   result.fps = static_cast<S>(1.0 / motion.frame_time);
   result.metres_per_unit = 1;
   result.frames = found.frames_read;
-  pose_bvh_clip(hierarchy, motion, result);
+  Skeleton skeleton;
+  for (std::size_t j = 0; j < joints; ++j) {
+    skeleton.names.push_back(std::move(hierarchy.nodes[j].name));
+    skeleton.parents.push_back(hierarchy.nodes[j].parent);
+  }
+  pose_bvh_clip(hierarchy, motion, skeleton, result, found);
   if (!all_finite(result)) return {Error::not_finite, -1};
 
   found.roots = hierarchy.roots;
   found.renamed = hierarchy.renamed;
-  for (std::size_t j = 0; j < joints; ++j) {
-    BvhNode& node = hierarchy.nodes[j];
-    result.skeleton.names.push_back(std::move(node.name));
-    result.skeleton.parents.push_back(node.parent);
-    found.rest.push_back(node.parent < 0 ? Vec3<double>(0, 0, 0)
-                                         : found.rest[static_cast<std::size_t>(node.parent)] + node.offset);
-  }
   clip = std::move(result);
   if (notes != nullptr) *notes = std::move(found);
   return {};

@@ -25,12 +25,11 @@ struct Standardised {
 template <class S>
 Standardised<S> standardise(Clip<S>& clip, Span<const Vec3<double>> rest) {
   Standardised<S> done;
-  const JointRoles named = find_joint_roles(clip.skeleton);
-  done.up = guess_up_axis(clip, named, rest);
-  if (done.up == UpAxis::z) turn_z_up_to_y_up(clip);
-  done.root_axes_aligned = align_root_axes(clip, named);
   done.roles = find_joint_roles(clip);
-  done.unit = guess_unit(clip, named);
+  done.up = guess_up_axis(clip, done.roles, rest);
+  if (done.up == UpAxis::z) turn_z_up_to_y_up(clip);
+  done.root_axes_aligned = align_root_axes(clip, done.roles);
+  done.unit = guess_unit(clip, done.roles);
   scale_clip(clip, done.unit.metres_per_unit);
   return done;
 }

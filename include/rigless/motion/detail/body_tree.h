@@ -99,17 +99,19 @@ class BodyTree {
     return chain;
   }
 
-  // Where in a chain its two long bones begin; both are at least `shorter` long. -1 if it has no two bones.
+  // Where in a chain its two long bones begin: the last two that are nearly as long as any, since a collarbone may be as
+  // long as a forearm. -1 if it has no two bones. shorter: length of the shorter one.
   std::int32_t long_bones(const std::vector<std::int32_t>& chain, double& shorter) const {
-    std::int32_t best = -1;
-    shorter = 0;
-    for (std::size_t k = 0; k + 2 < chain.size(); ++k) {
-      const double both = std::min(poses_.distance(chain[k], chain[k + 1]), poses_.distance(chain[k + 1], chain[k + 2]));
-      if (best >= 0 && both <= shorter * 1.001) continue;
-      best = static_cast<std::int32_t>(k);
-      shorter = both;
+    const auto both = [&](std::size_t k) {
+      return std::min(poses_.distance(chain[k], chain[k + 1]), poses_.distance(chain[k + 1], chain[k + 2]));
+    };
+    double longest = 0;
+    for (std::size_t k = 0; k + 2 < chain.size(); ++k) longest = std::max(longest, both(k));
+    for (std::size_t k = chain.size(); k-- > 2;) {
+      shorter = both(k - 2);
+      if (shorter >= 0.75 * longest) return static_cast<std::int32_t>(k) - 2;
     }
-    return best;
+    return -1;
   }
 
  private:

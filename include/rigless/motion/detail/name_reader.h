@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -243,15 +243,19 @@ class NameReader {
   }
 
   void label(std::vector<JointName>& result) const {
-    std::set<std::string> taken;
+    std::map<std::string, int> taken;
     for (std::size_t j = 0; j < result.size(); ++j) {
       std::string text(part_label(result[j].part));
       if (text.empty()) text = own_words(names_[j]);
       if (result[j].side == BodySide::left) text = "left " + text;
       if (result[j].side == BodySide::right) text = "right " + text;
       if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
+      int& last = taken[text];  // 0: free
       std::string unique = text;
-      for (int n = 2; !taken.insert(unique).second; ++n) unique = text + " " + std::to_string(n);
+      if (last++ > 0) {
+        for (unique += ' ' + std::to_string(last); taken.count(unique) > 0;) unique = text + ' ' + std::to_string(++last);
+        taken[unique] = 1;
+      }
       result[j].label = unique;
     }
   }

@@ -17,6 +17,7 @@ struct ParseNotes {
   std::int32_t roots = 1;            // more than one: only the first hierarchy is read
   std::int32_t renamed = 0;          // joints whose name was taken or empty
   std::int32_t lengths_ignored = 0;  // channels that stretch or shift a bone (ASF `l`, `tx`), per skeleton
+  std::int32_t joints_folded = 0;    // joints above the hips, whose motion is the hips' now
   std::vector<Vec3<double>> rest;    // J, joint positions without any motion, file units, root at the origin
 };
 

@@ -15,9 +15,14 @@
 
 namespace rigless::detail {
 
+// Without an answer for skeletons of more joints than any body has.
 class RoleFinder {
  public:
-  explicit RoleFinder(const Skeleton& skeleton) : tree_(skeleton), named_(skeleton, tree_) {}
+  static constexpr std::size_t max_joints = 4096;
+
+  explicit RoleFinder(const Skeleton& skeleton)
+      : tree_(skeleton.names.size() > max_joints ? Skeleton{} : skeleton),
+        named_(skeleton.names.size() > max_joints ? Skeleton{} : skeleton, tree_) {}
 
   JointRoles find() const {
     JointRoles roles = named_.find();
@@ -120,6 +125,7 @@ class RoleFinder {
       *limb = merged;
     }
     const auto complete = [](std::int32_t& role, std::int32_t joint) { role = role >= 0 ? role : joint; };
+    if (tree.spine >= 0 && tree_.below(roles.spine, tree.spine)) roles.spine = tree.spine;
     complete(roles.spine, tree.spine);
     complete(roles.chest, tree.chest);
     complete(roles.head, tree.head);
