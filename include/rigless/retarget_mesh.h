@@ -167,8 +167,7 @@ Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& mot
   for (std::size_t c = 0; c < points.size(); ++c) {
     MeshPoint<S>& point = points[c];
     const auto where = static_cast<std::int32_t>(c);
-    if (point.vertex < -1 || point.vertex >= static_cast<std::int32_t>(vertices.size()))
-      return {Error::index_out_of_range, where};
+    if (point.vertex < -1 || point.vertex >= count_of(vertices)) return {Error::index_out_of_range, where};
     if (!std::isfinite(point.radius)) return {Error::not_finite, where};
     if (point.vertex < 0) {
       if (!point.position.allFinite()) return {Error::not_finite, where};
@@ -181,7 +180,7 @@ Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& mot
       }
       if (point.vertex < 0) return {Error::index_out_of_range, where};
     }
-    taken[static_cast<std::size_t>(point.vertex)] = true;
+    nth(taken, point.vertex) = true;
     const std::int32_t joint = find_joint(motion.clip.skeleton, motion.roles, point.joint);
     if (joint < 0 && !point.joint.empty()) return {Error::unknown_joint, where};
     joints.push_back(joint);
@@ -198,7 +197,7 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
     const auto where = static_cast<std::int32_t>(n);
     if (pose.frame < 0 || pose.frame >= motion.clip.frames) return {Error::index_out_of_range, where};
     if (pose.points.size() != points) return {Error::size_mismatch, where};
-    const Vec3<double>* human = &motion.local[static_cast<std::size_t>(pose.frame) * motion.clip.skeleton.names.size()];
+    const Vec3<double>* human = &motion.local[to_size(pose.frame) * motion.clip.skeleton.names.size()];
     out.joints.insert(out.joints.end(), human, human + motion.clip.joints());
     for (const Vec3<S>& p : pose.points) {
       if (!p.allFinite()) return {Error::not_finite, where};
@@ -219,7 +218,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   Posture<S> posture = detail::posture_of<S>(axes);
   if (posture.left.isZero()) return {Error::unsupported, -1};
   for (std::size_t v = 0; v < input.vertices.size(); ++v)
-    if (!input.vertices[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
+    if (!input.vertices[v].allFinite()) return {Error::not_finite, v};
   ShapeAnalysis<S> shape;
   if (input.points.empty()) {
     const Status status = analyse_shape(input.vertices, input.faces, shape, options.axes ? &posture : nullptr);
@@ -241,9 +240,9 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   std::vector<Control<S>> controls;
   for (std::size_t c = 0; c < joints.size(); ++c) {
     MeshPoint<S>& point = made->points[c];
-    const auto vertex = static_cast<std::size_t>(point.vertex);
+    const auto vertex = to_size(point.vertex);
     point.position = input.vertices[vertex];
-    point.joint = joints[c] < 0 ? "" : motion.clip.skeleton.names[static_cast<std::size_t>(joints[c])];
+    point.joint = joints[c] < 0 ? "" : nth(motion.clip.skeleton.names, joints[c]);
     controls.push_back({point.vertex, point.radius * static_cast<S>(stage_height)});
   }
   if (const Status status = made->body.set_controls(controls); !status.ok()) return status;
@@ -289,9 +288,9 @@ Status RetargetedMesh<S>::frame(std::int32_t f, Span<Vec3<S>> out) {
 template <class S>
 std::vector<Vec3<S>> RetargetedMesh<S>::all_frames() {
   const std::size_t vertices = made_ ? made_->bake.positions().size() : 0;
-  std::vector<Vec3<S>> all(static_cast<std::size_t>(frames()) * vertices);
+  std::vector<Vec3<S>> all(to_size(frames()) * vertices);
   for (std::int32_t f = 0; f < frames(); ++f) {
-    const Status made = frame(f, {all.data() + static_cast<std::size_t>(f) * vertices, vertices});
+    const Status made = frame(f, {all.data() + to_size(f) * vertices, vertices});
     RIGLESS_ASSERT(made.ok());
     static_cast<void>(made);
   }
