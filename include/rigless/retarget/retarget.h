@@ -11,6 +11,7 @@
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
+#include "rigless/retarget/detail/bounded_spacetime.h"
 #include "rigless/retarget/detail/features.h"
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/spacetime.h"
@@ -56,8 +57,7 @@ struct RetargetInput {
 // back into mesh-local units. The examples' own poses give their own controls as far as smoothness lets them.
 //
 // begin(), then advance() until it returns false, then finish(). Computes in double whatever S is: the normal equations
-// square the condition number, and the time goes into memory and small matrices anyway. With BoundedSpacetimeSolver the
-// weights have bounds.
+// square the condition number, and the time goes into memory and small matrices anyway.
 template <class S, class Solver = SpacetimeSolver<double>>
 class Retargeter {
  public:
@@ -220,6 +220,10 @@ class Retargeter {
   std::size_t frames_ = 0;
   Solver solver_;
 };
+
+// The same under bounds of the weights, which solver().set_bounds() sets before begin().
+template <class S>
+using BoundedRetargeter = Retargeter<S, BoundedSpacetimeSolver<double>>;
 
 // The whole of it in one call; see Retargeter. Allocates.
 template <class S>
