@@ -109,11 +109,10 @@ class RetargetedMesh {
 // deformed when they are asked for. Computes the tracks in double whatever S is. Allocates.
 // Errors: those of parse_bvh(), parse_asf(), parse_amc() and stage_motion() (where: line or frame);
 // no_faces, index_out_of_range (where: face), not_finite (where: vertex) of the mesh;
-// index_out_of_range (a point's vertex), unknown_joint (no joint of the motion is called so or has that role; for
-// guessed points, with where -1: not one of them found a joint), not_finite (a position or radius; where: point);
-// index_out_of_range (a pose's frame), size_mismatch, not_finite (where: pose);
-// unsupported (axes: the front lies along up); factorization_failed.
-// On failure `out` keeps what it had.
+// index_out_of_range (a point's vertex), unknown_joint (no joint of the motion is called so or is that part of the
+// body; for guessed points, with where -1: the motion's joints cannot be told), not_finite (a position or radius;
+// where: point); index_out_of_range (a pose's frame), size_mismatch, not_finite (where: pose); unsupported (axes: the
+// front lies along up); factorization_failed. On failure `out` keeps what it had.
 template <class S>
 Status retarget_mesh(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options, RetargetedMesh<S>& out);
 
@@ -146,6 +145,7 @@ Posture<S> posture_of(const MeshAxes& axes) {
 template <class S>
 Status guess_points(const ShapeAnalysis<S>& shape, const StageTransform<S>& stage, const StagedMotion<double>& motion,
                     std::vector<MeshPoint<S>>& points, std::vector<std::int32_t>& joints) {
+  if (!motion.roles.known()) return {Error::unknown_joint, -1};
   for (const BodyPoint<S>& point : shape.points) {
     if (!point.wanted) continue;
     MeshPoint<S> out;
@@ -154,8 +154,7 @@ Status guess_points(const ShapeAnalysis<S>& shape, const StageTransform<S>& stag
     points.push_back(out);
     joints.push_back(joint_of_point(motion.roles, point));
   }
-  const bool paired = std::any_of(joints.begin(), joints.end(), [](std::int32_t j) { return j >= 0; });
-  return paired ? Status{} : Status{Error::unknown_joint, -1};
+  return {};
 }
 
 // Vertices for the points that have a position only, and in `joints` what all of them follow. Errors: see
@@ -163,6 +162,9 @@ Status guess_points(const ShapeAnalysis<S>& shape, const StageTransform<S>& stag
 template <class S>
 Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& motion, std::vector<MeshPoint<S>>& points,
                    std::vector<std::int32_t>& joints) {
+  std::vector<std::string> names;
+  for (const MeshPoint<S>& point : points) names.push_back(point.joint);
+  const std::vector<std::int32_t> found = find_joints(motion.clip.skeleton, motion.roles, names);
   std::vector<bool> taken(vertices.size(), false);
   for (std::size_t c = 0; c < points.size(); ++c) {
     MeshPoint<S>& point = points[c];
@@ -181,8 +183,8 @@ Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& mot
       if (point.vertex < 0) return {Error::index_out_of_range, where};
     }
     nth(taken, point.vertex) = true;
-    const std::int32_t joint = find_joint(motion.clip.skeleton, motion.roles, point.joint);
-    if (joint < 0 && !point.joint.empty()) return {Error::unknown_joint, where};
+    const std::int32_t joint = point.joint.empty() ? -1 : nth(found, c);
+    if (joint < 0 && !point.joint.empty()) return {Error::unknown_joint, c};
     joints.push_back(joint);
   }
   return {};

@@ -1,30 +1,30 @@
 // Which joint moves a point: the one that is called so, or that has the role.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "rigless/mesh/detail/body_points.h"
+#include "rigless/motion/clip.h"
+#include "rigless/motion/joint_names.h"
 #include "rigless/motion/joint_roles.h"
 
 namespace rigless {
 
-// The joint of that name, else the one whose part of the body the name means in any of the usual spellings ("left
-// foot", "lfoot"); -1 where there is none. Allocates scratch.
-inline std::int32_t find_joint(const Skeleton& skeleton, const JointRoles& roles, std::string_view name) {
-  for (std::size_t j = 0; j < skeleton.names.size(); ++j)
-    if (skeleton.names[j] == name) return static_cast<std::int32_t>(j);
-  const Skeleton alone{{std::string(name)}, {-1}};
-  const JointRoles meant = find_joint_roles(alone);
-  if (meant.head == 0) return roles.head;
-  for (const auto limb : {&JointRoles::left, &JointRoles::right}) {
-    for (const auto part :
-         {&LimbRoles::hip, &LimbRoles::knee, &LimbRoles::ankle, &LimbRoles::toe, &LimbRoles::tip, &LimbRoles::hand})
-      if (meant.*limb.*part == 0) return roles.*limb.*part;
+// For each name the joint that is called so, else the one that is the part of the body which the name means, in the
+// spelling of any skeleton or in plain words ("left foot"); -1 where there is none. Allocates.
+inline std::vector<std::int32_t> find_joints(const Skeleton& skeleton, const JointRoles& roles,
+                                             const std::vector<std::string>& names) {
+  std::vector<std::int32_t> joints;
+  for (const JointName& said : read_joint_names(names)) {
+    const auto same = std::find(skeleton.names.begin(), skeleton.names.end(), names[joints.size()]);
+    const bool called_so = same != skeleton.names.end();
+    joints.push_back(called_so ? static_cast<std::int32_t>(same - skeleton.names.begin())
+                               : roles.find(said.side, said.part));
   }
-  const JointName said = read_joint_name(name);
-  const bool root = said.core == "hips" || said.core == "root" || said.core == "pelvis";
-  return root ? roles.root : -1;
+  return joints;
 }
 
 // The joint that moves a point of the body, or -1: the whole pose. A body on four legs trots: a foreleg goes with the
