@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "rigless/mesh/shape_analysis.h"
-#include "rigless/motion/detail/motion_format.h"
-#include "rigless/motion/parse_acclaim.h"
-#include "rigless/motion/parse_bvh.h"
-#include "rigless/motion/standardise.h"
 #include "rigless/scene/bake.h"
 #include "rigless/scene/body.h"
 #include "rigless/scene/detail/pair_points.h"
+#include "rigless/scene/detail/read_motion.h"
 #include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/performance_builder.h"
 
@@ -120,18 +117,6 @@ Status retarget_mesh(const RetargetMeshInput<S>& input, const RetargetMeshOption
 
 namespace detail {
 
-inline Status read_motion(std::string_view text, std::string_view skeleton, StagedMotion<double>& motion) {
-  Clip<double> clip;
-  ParseNotes notes;
-  if (motion_format(text) == MotionFormat::amc) {
-    if (const Status status = parse_acclaim(skeleton, text, clip, &notes); !status.ok()) return status;
-  } else {
-    if (const Status status = parse_bvh(text, clip, &notes); !status.ok()) return status;
-  }
-  const JointRoles roles = standardise<double>(clip, notes.rest).roles;
-  return stage_motion(clip, roles, motion);
-}
-
 template <class S>
 Posture<S> posture_of(const MeshAxes& axes) {
   Posture<S> posture;
@@ -139,55 +124,6 @@ Posture<S> posture_of(const MeshAxes& axes) {
   posture.front = signed_axis<S>(static_cast<int>(axes.front));
   posture.left = posture.up.cross(posture.front);
   return posture;
-}
-
-// The points that the shape gives, and in `joints` what they follow. On failure both keep what they had.
-template <class S>
-Status guess_points(const ShapeAnalysis<S>& shape, const StageTransform<S>& stage, const StagedMotion<double>& motion,
-                    std::vector<MeshPoint<S>>& points, std::vector<std::int32_t>& joints) {
-  if (!motion.roles.known()) return {Error::unknown_joint, -1};
-  for (const BodyPoint<S>& point : shape.points) {
-    if (!point.wanted) continue;
-    MeshPoint<S> out;
-    out.vertex = point.vertex;
-    out.radius = static_cast<S>(static_cast<double>(point.radius) * stage.scale / stage_height);
-    points.push_back(out);
-    joints.push_back(joint_of_point(motion.roles, point));
-  }
-  return {};
-}
-
-// Vertices for the points that have a position only, and in `joints` what all of them follow. Errors: see
-// retarget_mesh().
-template <class S>
-Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& motion, std::vector<MeshPoint<S>>& points,
-                   std::vector<std::int32_t>& joints) {
-  std::vector<std::string> names;
-  for (const MeshPoint<S>& point : points) names.push_back(point.joint);
-  const std::vector<std::int32_t> found = find_joints(motion.clip.skeleton, motion.roles, names);
-  std::vector<bool> taken(vertices.size(), false);
-  for (std::size_t c = 0; c < points.size(); ++c) {
-    MeshPoint<S>& point = points[c];
-    const auto where = static_cast<std::int32_t>(c);
-    if (point.vertex < -1 || point.vertex >= count_of(vertices)) return {Error::index_out_of_range, where};
-    if (!std::isfinite(point.radius)) return {Error::not_finite, where};
-    if (point.vertex < 0) {
-      if (!point.position.allFinite()) return {Error::not_finite, where};
-      S least = std::numeric_limits<S>::max();
-      for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const S distance = (vertices[v] - point.position).squaredNorm();
-        if (taken[v] || distance >= least) continue;
-        least = distance;
-        point.vertex = static_cast<std::int32_t>(v);
-      }
-      if (point.vertex < 0) return {Error::index_out_of_range, where};
-    }
-    nth(taken, point.vertex) = true;
-    const std::int32_t joint = point.joint.empty() ? -1 : nth(found, c);
-    if (joint < 0 && !point.joint.empty()) return {Error::unknown_joint, c};
-    joints.push_back(joint);
-  }
-  return {};
 }
 
 // The poses as examples. Errors: see retarget_mesh().
@@ -214,7 +150,7 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
 template <class S>
 Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options) {
   StagedMotion<double> motion;
-  if (const Status status = detail::read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
+  if (const Status status = read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
 
   const MeshAxes axes = options.axes.value_or(MeshAxes{});
   Posture<S> posture = detail::posture_of<S>(axes);
@@ -236,8 +172,9 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
 
   std::vector<std::int32_t> joints;  // C
   made->points.assign(input.points.begin(), input.points.end());
-  const Status found = input.points.empty() ? detail::guess_points(shape, made->stage, motion, made->points, joints)
-                                            : detail::find_points(input.vertices, motion, made->points, joints);
+  const auto height = static_cast<S>(stage_height / made->stage.scale);
+  const Status found = input.points.empty() ? guess_points(shape, height, motion, made->points, joints)
+                                            : find_points(input.vertices, motion, made->points, joints);
   if (!found.ok()) return found;
   std::vector<Control<S>> controls;
   for (std::size_t c = 0; c < joints.size(); ++c) {

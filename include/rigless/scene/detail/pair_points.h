@@ -1,15 +1,17 @@
-// Which joint moves a point: the one that is called so, or that has the role.
+// Which joint moves a point, and which vertex it is: as its user says, or as the shape has it.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "rigless/mesh/detail/body_points.h"
-#include "rigless/motion/clip.h"
+#include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/joint_names.h"
 #include "rigless/motion/joint_roles.h"
+#include "rigless/scene/staged_motion.h"
 
 namespace rigless {
 
@@ -40,6 +42,57 @@ std::int32_t joint_of_point(const JointRoles& roles, const BodyPoint<S>& point) 
   if (point.role == BodyRole::foot) return near.ankle;
   if (point.role == BodyRole::foreleg) return across.ankle;
   return -1;
+}
+
+// The points that a body of this height needs, with radii in heights, and in `joints` what they follow. Point: as
+// MeshPoint. Allocates. Errors: unknown_joint (the motion's joints cannot be told).
+template <class S, class Point>
+Status guess_points(const ShapeAnalysis<S>& shape, S height, const StagedMotion<double>& motion,
+                    std::vector<Point>& points, std::vector<std::int32_t>& joints) {
+  if (!motion.roles.known()) return {Error::unknown_joint, -1};
+  for (const BodyPoint<S>& point : shape.points) {
+    if (!point.wanted) continue;
+    Point out;
+    out.vertex = point.vertex;
+    out.radius = point.radius / height;
+    points.push_back(out);
+    joints.push_back(joint_of_point(motion.roles, point));
+  }
+  return {};
+}
+
+// Vertices for the points that have a position only, and in `joints` what all of them follow. Point: as MeshPoint.
+// Allocates. Errors: index_out_of_range (a vertex, or more points than vertices), not_finite, unknown_joint (where:
+// point); then both are half done.
+template <class S, class Point>
+Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& motion, std::vector<Point>& points,
+                   std::vector<std::int32_t>& joints) {
+  std::vector<std::string> names;
+  for (const Point& point : points) names.push_back(point.joint);
+  const std::vector<std::int32_t> found = find_joints(motion.clip.skeleton, motion.roles, names);
+  std::vector<bool> taken(vertices.size(), false);
+  for (std::size_t c = 0; c < points.size(); ++c) {
+    Point& point = points[c];
+    const auto where = static_cast<std::int32_t>(c);
+    if (point.vertex < -1 || point.vertex >= count_of(vertices)) return {Error::index_out_of_range, where};
+    if (!std::isfinite(point.radius)) return {Error::not_finite, where};
+    if (point.vertex < 0) {
+      if (!point.position.allFinite()) return {Error::not_finite, where};
+      S least = std::numeric_limits<S>::max();
+      for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const S distance = (vertices[v] - point.position).squaredNorm();
+        if (taken[v] || distance >= least) continue;
+        least = distance;
+        point.vertex = static_cast<std::int32_t>(v);
+      }
+      if (point.vertex < 0) return {Error::index_out_of_range, where};
+    }
+    nth(taken, point.vertex) = true;
+    const std::int32_t joint = point.joint.empty() ? -1 : nth(found, c);
+    if (joint < 0 && !point.joint.empty()) return {Error::unknown_joint, c};
+    joints.push_back(joint);
+  }
+  return {};
 }
 
 }  // namespace rigless
