@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "rigless/mesh/shape_analysis.h"
-#include "rigless/motion/detail/motion_format.h"
-#include "rigless/motion/parse_acclaim.h"
-#include "rigless/motion/parse_bvh.h"
-#include "rigless/motion/standardise.h"
 #include "rigless/scene/bake.h"
 #include "rigless/scene/body.h"
 #include "rigless/scene/detail/pair_points.h"
+#include "rigless/scene/detail/read_motion.h"
 #include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/performance_builder.h"
 
@@ -109,29 +106,16 @@ class RetargetedMesh {
 // deformed when they are asked for. Computes the tracks in double whatever S is. Allocates.
 // Errors: those of parse_bvh(), parse_asf(), parse_amc() and stage_motion() (where: line or frame);
 // no_faces, index_out_of_range (where: face), not_finite (where: vertex) of the mesh;
-// index_out_of_range (a point's vertex), unknown_joint (no joint of the motion is called so or has that role; for
-// guessed points, with where -1: not one of them found a joint), not_finite (a position or radius; where: point);
-// index_out_of_range (a pose's frame), size_mismatch, not_finite (where: pose);
-// unsupported (axes: the front lies along up); factorization_failed.
-// On failure `out` keeps what it had.
+// index_out_of_range (a point's vertex), unknown_joint (no joint of the motion is called so or is that part of the
+// body; for guessed points, with where -1: the motion's joints cannot be told), not_finite (a position or radius;
+// where: point); index_out_of_range (a pose's frame), size_mismatch, not_finite (where: pose); unsupported (axes: the
+// front lies along up); factorization_failed. On failure `out` keeps what it had.
 template <class S>
 Status retarget_mesh(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options, RetargetedMesh<S>& out);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
 namespace detail {
-
-inline Status read_motion(std::string_view text, std::string_view skeleton, StagedMotion<double>& motion) {
-  Clip<double> clip;
-  ParseNotes notes;
-  if (motion_format(text) == MotionFormat::amc) {
-    if (const Status status = parse_acclaim(skeleton, text, clip, &notes); !status.ok()) return status;
-  } else {
-    if (const Status status = parse_bvh(text, clip, &notes); !status.ok()) return status;
-  }
-  const JointRoles roles = standardise<double>(clip, notes.rest).roles;
-  return stage_motion(clip, roles, motion);
-}
 
 template <class S>
 Posture<S> posture_of(const MeshAxes& axes) {
@@ -140,53 +124,6 @@ Posture<S> posture_of(const MeshAxes& axes) {
   posture.front = signed_axis<S>(static_cast<int>(axes.front));
   posture.left = posture.up.cross(posture.front);
   return posture;
-}
-
-// The points that the shape gives, and in `joints` what they follow. On failure both keep what they had.
-template <class S>
-Status guess_points(const ShapeAnalysis<S>& shape, const StageTransform<S>& stage, const StagedMotion<double>& motion,
-                    std::vector<MeshPoint<S>>& points, std::vector<std::int32_t>& joints) {
-  for (const BodyPoint<S>& point : shape.points) {
-    if (!point.wanted) continue;
-    MeshPoint<S> out;
-    out.vertex = point.vertex;
-    out.radius = static_cast<S>(static_cast<double>(point.radius) * stage.scale / stage_height);
-    points.push_back(out);
-    joints.push_back(joint_of_point(motion.roles, point));
-  }
-  const bool paired = std::any_of(joints.begin(), joints.end(), [](std::int32_t j) { return j >= 0; });
-  return paired ? Status{} : Status{Error::unknown_joint, -1};
-}
-
-// Vertices for the points that have a position only, and in `joints` what all of them follow. Errors: see
-// retarget_mesh().
-template <class S>
-Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& motion, std::vector<MeshPoint<S>>& points,
-                   std::vector<std::int32_t>& joints) {
-  std::vector<bool> taken(vertices.size(), false);
-  for (std::size_t c = 0; c < points.size(); ++c) {
-    MeshPoint<S>& point = points[c];
-    const auto where = static_cast<std::int32_t>(c);
-    if (point.vertex < -1 || point.vertex >= static_cast<std::int32_t>(vertices.size()))
-      return {Error::index_out_of_range, where};
-    if (!std::isfinite(point.radius)) return {Error::not_finite, where};
-    if (point.vertex < 0) {
-      if (!point.position.allFinite()) return {Error::not_finite, where};
-      S least = std::numeric_limits<S>::max();
-      for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const S distance = (vertices[v] - point.position).squaredNorm();
-        if (taken[v] || distance >= least) continue;
-        least = distance;
-        point.vertex = static_cast<std::int32_t>(v);
-      }
-      if (point.vertex < 0) return {Error::index_out_of_range, where};
-    }
-    taken[static_cast<std::size_t>(point.vertex)] = true;
-    const std::int32_t joint = find_joint(motion.clip.skeleton, motion.roles, point.joint);
-    if (joint < 0 && !point.joint.empty()) return {Error::unknown_joint, where};
-    joints.push_back(joint);
-  }
-  return {};
 }
 
 // The poses as examples. Errors: see retarget_mesh().
@@ -198,7 +135,7 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
     const auto where = static_cast<std::int32_t>(n);
     if (pose.frame < 0 || pose.frame >= motion.clip.frames) return {Error::index_out_of_range, where};
     if (pose.points.size() != points) return {Error::size_mismatch, where};
-    const Vec3<double>* human = &motion.local[static_cast<std::size_t>(pose.frame) * motion.clip.skeleton.names.size()];
+    const Vec3<double>* human = &motion.local[to_size(pose.frame) * motion.clip.skeleton.names.size()];
     out.joints.insert(out.joints.end(), human, human + motion.clip.joints());
     for (const Vec3<S>& p : pose.points) {
       if (!p.allFinite()) return {Error::not_finite, where};
@@ -213,13 +150,13 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
 template <class S>
 Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options) {
   StagedMotion<double> motion;
-  if (const Status status = detail::read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
+  if (const Status status = read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
 
   const MeshAxes axes = options.axes.value_or(MeshAxes{});
   Posture<S> posture = detail::posture_of<S>(axes);
   if (posture.left.isZero()) return {Error::unsupported, -1};
   for (std::size_t v = 0; v < input.vertices.size(); ++v)
-    if (!input.vertices[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
+    if (!input.vertices[v].allFinite()) return {Error::not_finite, v};
   ShapeAnalysis<S> shape;
   if (input.points.empty()) {
     const Status status = analyse_shape(input.vertices, input.faces, shape, options.axes ? &posture : nullptr);
@@ -235,15 +172,16 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
 
   std::vector<std::int32_t> joints;  // C
   made->points.assign(input.points.begin(), input.points.end());
-  const Status found = input.points.empty() ? detail::guess_points(shape, made->stage, motion, made->points, joints)
-                                            : detail::find_points(input.vertices, motion, made->points, joints);
+  const auto height = static_cast<S>(stage_height / made->stage.scale);
+  const Status found = input.points.empty() ? guess_points(shape, height, motion, made->points, joints)
+                                            : find_points(input.vertices, motion, made->points, joints);
   if (!found.ok()) return found;
   std::vector<Control<S>> controls;
   for (std::size_t c = 0; c < joints.size(); ++c) {
     MeshPoint<S>& point = made->points[c];
-    const auto vertex = static_cast<std::size_t>(point.vertex);
+    const auto vertex = to_size(point.vertex);
     point.position = input.vertices[vertex];
-    point.joint = joints[c] < 0 ? "" : motion.clip.skeleton.names[static_cast<std::size_t>(joints[c])];
+    point.joint = joints[c] < 0 ? "" : nth(motion.clip.skeleton.names, joints[c]);
     controls.push_back({point.vertex, point.radius * static_cast<S>(stage_height)});
   }
   if (const Status status = made->body.set_controls(controls); !status.ok()) return status;
@@ -289,9 +227,9 @@ Status RetargetedMesh<S>::frame(std::int32_t f, Span<Vec3<S>> out) {
 template <class S>
 std::vector<Vec3<S>> RetargetedMesh<S>::all_frames() {
   const std::size_t vertices = made_ ? made_->bake.positions().size() : 0;
-  std::vector<Vec3<S>> all(static_cast<std::size_t>(frames()) * vertices);
+  std::vector<Vec3<S>> all(to_size(frames()) * vertices);
   for (std::int32_t f = 0; f < frames(); ++f) {
-    const Status made = frame(f, {all.data() + static_cast<std::size_t>(f) * vertices, vertices});
+    const Status made = frame(f, {all.data() + to_size(f) * vertices, vertices});
     RIGLESS_ASSERT(made.ok());
     static_cast<void>(made);
   }

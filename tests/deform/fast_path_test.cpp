@@ -105,9 +105,9 @@ Comparison compare(const Mesh& mesh, double mu) {
     targets.push_back((mesh.vertices[static_cast<std::size_t>(ends[c])] + 0.15 * diagonal * way).cast<S>());
   }
   ThesisDeformer<double, RowReplacement<double>> reference;
-  REQUIRE(reference
-              .bind(mesh.vertices, ring, cotangent_weights<double>(mesh.vertices, mesh.faces, ring), ends, {}, {mu})
-              .ok());
+  REQUIRE(
+      reference.bind(mesh.vertices, ring, cotangent_weights<double>(mesh.vertices, mesh.faces, ring), ends, {}, {mu})
+          .ok());
   reference.set_targets(cast<double, S>(targets));
   reference.step(30);
   Deformer<S> fast;

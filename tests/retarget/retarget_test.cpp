@@ -9,8 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "rigless/retarget/detail/bounded_spacetime.h"
-
 using rigless::Vec3;
 
 namespace {
@@ -432,7 +430,7 @@ TEST_CASE("retarget: bounded weights keep a noisy hand from throwing a control a
   for (int n = 0; n < 6; ++n) add_example(scene, 0.1 * n, random, 0.1);  // nearly flat tetrahedra
   scene.options = rigless::RetargetOptions<double>::thesis();
   rigless::Retargeter<double> free;
-  rigless::Retargeter<double, rigless::BoundedSpacetimeSolver<double>> bounded;
+  rigless::BoundedRetargeter<double> bounded;
   bounded.solver().set_bounds(-0.5, 1.5);
   const auto largest = [&](auto& run) {
     REQUIRE(run.begin(scene.input(), scene.options).ok());

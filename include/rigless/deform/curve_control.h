@@ -48,11 +48,11 @@ template <class S>
 std::vector<std::int32_t> shortest_path(const Cells<S>& cells, std::int32_t a, std::int32_t b) {
   const auto reached = vertices_within<S>(cells.rest, cells.ring, b, std::numeric_limits<S>::max());
   std::vector<S> distance(cells.size(), std::numeric_limits<S>::max());
-  for (const auto& g : reached) distance[static_cast<std::size_t>(g.vertex)] = g.distance;
-  if (!(distance[static_cast<std::size_t>(a)] < std::numeric_limits<S>::max())) return {};
+  for (const auto& g : reached) nth(distance, g.vertex) = g.distance;
+  if (!(nth(distance, a) < std::numeric_limits<S>::max())) return {};
   std::vector<std::int32_t> path = {a};
   while (path.back() != b) {  // downhill; every step is an edge of a shortest path
-    const auto i = static_cast<std::size_t>(path.back());
+    const auto i = to_size(path.back());
     std::int32_t best = -1;
     S shortest = std::numeric_limits<S>::max();
     for_each_edge(cells, i, [&](S, const Vec3<S>& e, std::size_t j) {
@@ -76,8 +76,8 @@ Status CurveControl<S>::bind(const Cells<S>& cells, Span<const std::int32_t> kno
   std::vector<std::int32_t> path;
   std::vector<S> knot_at(knots.size(), S(0)), at;
   for (std::size_t k = 0; k < knots.size(); ++k) {
-    if (knots[k] < 0 || static_cast<std::size_t>(knots[k]) >= cells.size()) {
-      return {Error::index_out_of_range, static_cast<std::int32_t>(k)};
+    if (knots[k] < 0 || to_size(knots[k]) >= cells.size()) {
+      return {Error::index_out_of_range, k};
     }
     if (k == 0) {
       path.push_back(knots[0]);
@@ -85,10 +85,9 @@ Status CurveControl<S>::bind(const Cells<S>& cells, Span<const std::int32_t> kno
       continue;
     }
     const auto piece = detail::shortest_path(cells, knots[k - 1], knots[k]);
-    if (piece.size() < 2) return {Error::infeasible, static_cast<std::int32_t>(k)};
+    if (piece.size() < 2) return {Error::infeasible, k};
     for (std::size_t p = 1; p < piece.size(); ++p) {
-      const S length =
-          (cells.rest[static_cast<std::size_t>(piece[p])] - cells.rest[static_cast<std::size_t>(path.back())]).norm();
+      const S length = (nth(cells.rest, piece[p]) - nth(cells.rest, path.back())).norm();
       at.push_back(at.back() + length);
       path.push_back(piece[p]);
     }
@@ -122,8 +121,8 @@ Status CurveControl<S>::bind(const Cells<S>& cells, Span<const std::int32_t> kno
   blend_ = std::move(blends);
   rest_.clear();
   knot_rest_.clear();
-  for (const std::int32_t v : path_) rest_.push_back(cells.rest[static_cast<std::size_t>(v)]);
-  for (const std::int32_t v : knots) knot_rest_.push_back(cells.rest[static_cast<std::size_t>(v)]);
+  for (const std::int32_t v : path_) rest_.push_back(nth(cells.rest, v));
+  for (const std::int32_t v : knots) knot_rest_.push_back(nth(cells.rest, v));
   return {};
 }
 
@@ -142,8 +141,7 @@ void CurveControl<S>::targets(Span<const Vec3<S>> knots, Span<Vec3<S>> out) cons
     for (int k = 0; k < 4; ++k) {
       const std::int32_t knot = blend_[p].first + k;
       if (blend_[p].weight[k] == S(0)) continue;
-      out[p] +=
-          blend_[p].weight[k] * (knots[static_cast<std::size_t>(knot)] - knot_rest_[static_cast<std::size_t>(knot)]);
+      out[p] += blend_[p].weight[k] * (nth(knots, knot) - nth(knot_rest_, knot));
     }
   }
 }

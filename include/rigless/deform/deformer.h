@@ -88,8 +88,8 @@ class Deformer {
   Span<const Mat3<S>> disc_rotations() const { return disc_rotation_; }
   const Discs& discs() const { return discs_; }
   const Cells<S>& cells() const { return cells_; }
-  std::int32_t vertices() const { return static_cast<std::int32_t>(cells_.size()); }
-  std::int32_t controls() const { return static_cast<std::int32_t>(discs_.size()); }
+  std::int32_t vertices() const { return count_of(cells_); }
+  std::int32_t controls() const { return count_of(discs_); }
 
   // Of the shape state, at its present surface. No allocation.
   double energy() { return shape_energy(slices_, x_.data(), elastic_); }
@@ -100,7 +100,7 @@ class Deformer {
  private:
   using Quad = simd::Quad<S>;
 
-  Quad& row(Span<Quad> rows, std::size_t vertex) { return rows[static_cast<std::size_t>(system_.place()[vertex])]; }
+  Quad& row(Span<Quad> rows, std::size_t vertex) { return nth(rows, system_.place()[vertex]); }
   Vec3<S> position(std::size_t vertex);
   template <bool with_energy>
   double fit_residual();
@@ -155,7 +155,7 @@ Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
   seams_ = find_seams(cells_, discs_);
   moved_.assign(discs_.member.size(), Quad{});
   targets_.clear();
-  for (std::int32_t v : discs_.center) targets_.push_back(cells_.rest[static_cast<std::size_t>(v)]);
+  for (std::int32_t v : discs_.center) targets_.push_back(nth(cells_.rest, v));
   disc_rotation_.assign(controls.size(), Mat3<S>::Identity());
   turned_.assign(controls.size(), 0);
   reset();
@@ -206,13 +206,13 @@ void Deformer<S, Weights>::resume(const ShapeState<S>& state) {
 
 template <class S, class Weights>
 void Deformer<S, Weights>::turn(std::int32_t c, const Mat3<S>& rotation) {
-  disc_rotation_[static_cast<std::size_t>(c)] = rotation;
-  turned_[static_cast<std::size_t>(c)] = 1;
+  nth(disc_rotation_, c) = rotation;
+  nth(turned_, c) = 1;
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::free_turn(std::int32_t c) {
-  turned_[static_cast<std::size_t>(c)] = 0;
+  nth(turned_, c) = 0;
 }
 
 // Where free discs begin.

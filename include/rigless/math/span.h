@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "rigless/math/detail/macros.h"
+#include "rigless/math/detail/index.h"
 
 namespace rigless {
 
@@ -27,8 +27,9 @@ class Span {
   constexpr bool empty() const { return size_ == 0; }
   constexpr T* begin() const { return data_; }
   constexpr T* end() const { return data_ + size_; }
-  constexpr T& operator[](std::size_t i) const {
-    RIGLESS_ASSERT(i < size_);
+  template <class I>
+  constexpr T& operator[](I i) const {
+    RIGLESS_ASSERT(to_size(i) < size_);
     return data_[i];
   }
   constexpr Span subspan(std::size_t first, std::size_t count) const {

@@ -37,6 +37,10 @@ struct [[nodiscard]] Status {
   Error error = Error::none;
   std::int32_t where = -1;
 
+  constexpr Status() = default;
+  template <class I>
+  constexpr Status(Error what, I at) : error(what), where(static_cast<std::int32_t>(at)) {}
+
   constexpr bool ok() const { return error == Error::none; }
 };
 

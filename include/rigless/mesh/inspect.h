@@ -20,14 +20,14 @@ RIGLESS_COLD inline MeshTopology inspect_mesh(Span<const Face> faces, std::int32
   MeshTopology t;
   std::vector<std::array<std::int32_t, 2>> edges;
   edges.reserve(3 * faces.size());
-  std::vector<char> used(static_cast<std::size_t>(vertices), 0);
+  std::vector<char> used(to_size(vertices), 0);
   for (const Face& f : faces) {
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) {
       t.degenerate_faces++;
       continue;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      used[static_cast<std::size_t>(f[k])] = 1;
+      nth(used, f[k]) = 1;
       edges.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
     }
   }

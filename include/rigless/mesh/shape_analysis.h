@@ -18,9 +18,9 @@ struct ShapeAnalysis {
 template <class S>
 Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out,
                      const Posture<S>* posture = nullptr) {
-  if (const Status status = check_faces(faces, static_cast<std::int32_t>(vertices.size())); !status.ok()) return status;
+  if (const Status status = check_faces(faces, count_of(vertices)); !status.ok()) return status;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!vertices[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
+    if (!vertices[v].allFinite()) return {Error::not_finite, v};
   }
   ShapeAnalysis<S> found;
   const SurfaceGraph<S> graph = surface_graph(vertices, faces);
@@ -29,7 +29,7 @@ Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, Shape
   const S diagonal = bounds(vertices).diagonal();
   std::vector<Vec3<S>> tips;  // those that stand apart: the rim of a disc is one
   for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * diagonal)) {
-    const Vec3<S>& tip = graph.position[static_cast<std::size_t>(e.node)];
+    const Vec3<S>& tip = nth(graph.position, e.node);
     const auto near = [&](const Vec3<S>& other) { return (other - tip).norm() < S(0.1) * diagonal; };
     if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
   }

@@ -11,6 +11,7 @@
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
+#include "rigless/retarget/detail/bounded_spacetime.h"
 #include "rigless/retarget/detail/features.h"
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/spacetime.h"
@@ -56,8 +57,7 @@ struct RetargetInput {
 // back into mesh-local units. The examples' own poses give their own controls as far as smoothness lets them.
 //
 // begin(), then advance() until it returns false, then finish(). Computes in double whatever S is: the normal equations
-// square the condition number, and the time goes into memory and small matrices anyway. With BoundedSpacetimeSolver the
-// weights have bounds.
+// square the condition number, and the time goes into memory and small matrices anyway.
 template <class S, class Solver = SpacetimeSolver<double>>
 class Retargeter {
  public:
@@ -74,7 +74,7 @@ class Retargeter {
   Status begin(const RetargetInput<S>& input, const RetargetOptions<S>& options) {
     const Status status = check(input);
     if (!status.ok()) return status;
-    const auto joints = static_cast<std::size_t>(input.joint_count);
+    const auto joints = to_size(input.joint_count);
     const auto frames = static_cast<std::int32_t>(input.joints.size() / joints);
     const std::size_t controls = input.pairs.size();
 
@@ -94,14 +94,14 @@ class Retargeter {
     for (std::size_t c = 0; c < controls; ++c) {
       poses.features(input.pairs[c], static_cast<double>(options.pose_weight), next.clip[c], next.examples[c]);
       keep_known(example_controls, c, next);
-      if (next.controls[c].empty()) return {Error::no_examples, static_cast<std::int32_t>(c)};
+      if (next.controls[c].empty()) return {Error::no_examples, c};
       tracks.push_back({next.clip[c], next.examples[c], next.controls[c]});
     }
     const Status begun =
         solver_.begin(tracks, frames, normalised(input.constraints, next.space), solver_options(options));
     if (!begun.ok()) return begun;
     inputs_ = std::move(next);
-    frames_ = static_cast<std::size_t>(frames);
+    frames_ = to_size(frames);
     return {};
   }
 
@@ -164,7 +164,7 @@ class Retargeter {
 
   static Status check(const RetargetInput<S>& in) {
     if (in.joint_count <= 0 || in.joints.empty()) return {Error::no_frames, -1};
-    const auto joints = static_cast<std::size_t>(in.joint_count);
+    const auto joints = to_size(in.joint_count);
     const std::size_t controls = in.pairs.size();
     if (controls == 0) return {Error::no_controls, -1};
     const std::size_t examples = in.examples.controls.size() / controls;
@@ -173,13 +173,11 @@ class Retargeter {
         in.examples.joints.size() != examples * joints)
       return {Error::size_mismatch, -1};
     for (std::size_t c = 0; c < controls; ++c)
-      if (in.pairs[c] < -1 || in.pairs[c] >= in.joint_count)
-        return {Error::index_out_of_range, static_cast<std::int32_t>(c)};
+      if (in.pairs[c] < -1 || in.pairs[c] >= in.joint_count) return {Error::index_out_of_range, c};
     for (std::size_t i = 0; i < in.joints.size(); ++i)
-      if (!in.joints[i].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(i / joints)};
+      if (!in.joints[i].allFinite()) return {Error::not_finite, i / joints};
     for (std::size_t i = 0; i < in.examples.controls.size(); ++i)
-      if (in.examples.controls[i].array().isInf().any())
-        return {Error::not_finite, static_cast<std::int32_t>(i / controls)};
+      if (in.examples.controls[i].array().isInf().any()) return {Error::not_finite, i / controls};
     return {};
   }
 
@@ -201,8 +199,8 @@ class Retargeter {
   // Constraints that name a control which does not exist pass through: the solver reports them.
   static Constraints<double> normalised(const Constraints<S>& in, const ControlSpace<double>& space) {
     const auto centre = [&](std::int32_t control) {
-      const bool exists = control >= 0 && static_cast<std::size_t>(control) < space.centre.size();
-      return exists ? space.centre[static_cast<std::size_t>(control)] : Vec3<double>::Zero().eval();
+      const bool exists = control >= 0 && to_size(control) < space.centre.size();
+      return exists ? nth(space.centre, control) : Vec3<double>::Zero().eval();
     };
     Constraints<double> out;
     for (const auto& c : in.positions) {
@@ -222,6 +220,10 @@ class Retargeter {
   std::size_t frames_ = 0;
   Solver solver_;
 };
+
+// The same under bounds of the weights, which solver().set_bounds() sets before begin().
+template <class S>
+using BoundedRetargeter = Retargeter<S, BoundedSpacetimeSolver<double>>;
 
 // The whole of it in one call; see Retargeter. Allocates.
 template <class S>

@@ -24,12 +24,12 @@ class Bake {
 
   // `volume` is lambda_v. The deformer must have the performance's controls; both must outlive this. Allocates.
   void bind(Deformer<S>& deformer, const Performance<S>& performance, S volume) {
-    RIGLESS_ASSERT(performance.control_count() == static_cast<std::size_t>(deformer.controls()));
+    RIGLESS_ASSERT(performance.control_count() == to_size(deformer.controls()));
     deformer_ = &deformer;
     performance_ = &performance;
     volume_ = volume;
-    positions_.resize(static_cast<std::size_t>(deformer.vertices()));
-    lowest_.assign(static_cast<std::size_t>(performance.frames), std::numeric_limits<S>::quiet_NaN());
+    positions_.resize(to_size(deformer.vertices()));
+    lowest_.assign(to_size(performance.frames), std::numeric_limits<S>::quiet_NaN());
   }
 
   // Makes a frame; see positions(), root(). The first frame of a flight that is asked for also deforms its two ends. No
@@ -40,12 +40,12 @@ class Bake {
     S height = 0;
     if (flight != nullptr) height = height_in_flight(*flight, f);
     const Span<const Vec3<S>> local = deform(f);
-    const S grounded = -lowest_[static_cast<std::size_t>(f)];
+    const S grounded = -nth(lowest_, f);
     height = flight != nullptr ? std::max(height, grounded) : grounded;
 
-    const auto& travel = performance_->travel[static_cast<std::size_t>(f)];
+    const auto& travel = nth(performance_->travel, f);
     root_.position = {travel[0], height, travel[1]};
-    root_.yaw = performance_->yaw[static_cast<std::size_t>(f)];
+    root_.yaw = nth(performance_->yaw, f);
     const S c = std::cos(root_.yaw), s = std::sin(root_.yaw);
     for (std::size_t v = 0; v < local.size(); ++v) {
       const Vec3<S>& p = local[v];
@@ -68,17 +68,17 @@ class Bake {
   Span<const Vec3<S>> deform(std::int32_t f) {
     const std::size_t controls = performance_->control_count();
     const Span<const Vec3<S>> tracks = performance_->controls;
-    deform_from_rest(*deformer_, tracks.subspan(static_cast<std::size_t>(f) * controls, controls), volume_);
+    deform_from_rest(*deformer_, tracks.subspan(to_size(f) * controls, controls), volume_);
     const Span<const Vec3<S>> local = deformer_->positions();
     S lowest = std::numeric_limits<S>::max();
     for (const Vec3<S>& p : local) lowest = std::min(lowest, p.y());
-    lowest_[static_cast<std::size_t>(f)] = lowest;
+    nth(lowest_, f) = lowest;
     return local;
   }
 
   S lowest(std::int32_t f) {
-    if (std::isnan(lowest_[static_cast<std::size_t>(f)])) deform(f);
-    return lowest_[static_cast<std::size_t>(f)];
+    if (std::isnan(nth(lowest_, f))) deform(f);
+    return nth(lowest_, f);
   }
 
   // The height of the body's origin: a throw that lands exactly. The sum of flight_heights(), without its table.

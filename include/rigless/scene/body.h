@@ -19,7 +19,7 @@ class Body {
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
-    topology_ = inspect_mesh(faces, static_cast<std::int32_t>(rest.size()));
+    topology_ = inspect_mesh(faces, count_of(rest));
     volume_ = signed_volume(rest, faces);
     return {};
   }
@@ -28,7 +28,7 @@ class Body {
   Status set_controls(Span<const Control<S>> controls) {
     if (const Status status = deformer_.set_controls(controls); !status.ok()) return status;
     controls_.clear();
-    for (const Control<S>& c : controls) controls_.push_back(rest_[static_cast<std::size_t>(c.vertex)]);
+    for (const Control<S>& c : controls) controls_.push_back(nth(rest_, c.vertex));
     drag_.bind(deformer_);
     return {};
   }
@@ -38,7 +38,7 @@ class Body {
   Status drag(Span<const Vec3<S>> targets, S volume, bool restart) {
     if (targets.empty() || targets.size() != controls_.size()) return {Error::size_mismatch, -1};
     for (std::size_t c = 0; c < targets.size(); ++c) {
-      if (!targets[c].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(c)};
+      if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
     drag_.move(deformer_, targets, volume, restart);
     return {};

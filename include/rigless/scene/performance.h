@@ -48,7 +48,7 @@ struct Performance {
   std::int32_t have = 0, want = 0;            // user's examples, images counted, and how many would be enough
   std::int32_t starters = 0;                  // examples made up by the system that are in use
 
-  std::size_t control_count() const { return frames > 0 ? controls.size() / static_cast<std::size_t>(frames) : 0; }
+  std::size_t control_count() const { return frames > 0 ? controls.size() / to_size(frames) : 0; }
 };
 
 // The same in another scalar. Allocates.

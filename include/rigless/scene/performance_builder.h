@@ -79,7 +79,7 @@ class PerformanceBuilder {
     settings_ = input.settings;
     constraints_ = input.constraints;
     ground_.travel_scale = input.height / std::max(figure_height<S>(motion.local, joints), S(1e-6));
-    starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / static_cast<std::size_t>(joints));
+    starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / to_size(joints));
     coverage_.begin(motion.local, joints, paired, {examples.joints.data(), taught}, joint_mirror, {});
     return {};
   }
@@ -112,35 +112,34 @@ class PerformanceBuilder {
 
  private:
   static Status check(const PerformanceInput<S>& in) {
-    const auto controls = static_cast<std::int32_t>(in.pairs.size());
+    const auto controls = count_of(in.pairs);
     if (controls == 0) return {Error::no_controls, -1};
     if (in.rest.size() != in.pairs.size()) return {Error::size_mismatch, -1};
     if (!in.mirror.empty() && in.mirror.size() != in.pairs.size()) return {Error::size_mismatch, -1};
     const std::size_t examples = in.examples.controls.size() / in.pairs.size();
     if (in.examples.controls.size() != examples * in.pairs.size() ||
-        in.examples.joints.size() != examples * static_cast<std::size_t>(in.motion->clip.joints()))
+        in.examples.joints.size() != examples * to_size(in.motion->clip.joints()))
       return {Error::size_mismatch, -1};
     for (std::int32_t c = 0; c < controls; ++c) {
-      const auto i = static_cast<std::size_t>(c);
+      const auto i = to_size(c);
       if (in.pairs[i] < -1 || in.pairs[i] >= in.motion->clip.joints()) return {Error::index_out_of_range, c};
       if (!in.mirror.empty() && (in.mirror[i] < -1 || in.mirror[i] >= controls)) return {Error::index_out_of_range, c};
     }
     for (const ContactEdit& edit : in.contacts)
       if (edit.control < 0 || edit.control >= controls) return {Error::index_out_of_range, edit.control};
     for (std::size_t i = 0; i < in.examples.controls.size(); ++i)
-      if (!in.examples.controls[i].allFinite())
-        return {Error::not_finite, static_cast<std::int32_t>(i / in.pairs.size())};
+      if (!in.examples.controls[i].allFinite()) return {Error::not_finite, i / in.pairs.size()};
     return {};
   }
 
   // On the finished tracks, so that what the ground asks for counts too.
   void measure_constraints(Performance<S>& p) const {
     const auto at = [&](std::int32_t control, std::int32_t frame) {
-      return p.controls[static_cast<std::size_t>(frame) * controls_ + static_cast<std::size_t>(control)];
+      return p.controls[to_size(frame) * controls_ + to_size(control)];
     };
     const auto miss = [&](Vec3<S> difference, const AxisMask& axes) {
       for (int axis = 0; axis < 3; ++axis)
-        if (!axes[static_cast<std::size_t>(axis)]) difference[axis] = 0;
+        if (!nth(axes, axis)) difference[axis] = 0;
       p.missed.push_back(difference.norm());
     };
     for (const auto& c : constraints_.positions) miss(at(c.track, c.frame) - c.position, c.axes);

@@ -30,7 +30,7 @@ template <class S>
 Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion<S>& out) {
   for (std::size_t i = 0; i < source.positions.size(); ++i) {
     if (!source.positions[i].allFinite()) {
-      return {Error::not_finite, static_cast<std::int32_t>(i / source.skeleton.names.size())};
+      return {Error::not_finite, i / source.skeleton.names.size()};
     }
   }
   StagedMotion<S> staged;
@@ -48,7 +48,7 @@ Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion
   staged.right = contact_labels(contacts.right, source.fps, fps, staged.clip.frames);
   for (const Flight& flight : staged.flights) {  // rounded outwards, so the labels may reach in
     for (std::int32_t f = flight.take_off + 1; f < flight.landing; ++f) {
-      staged.left[static_cast<std::size_t>(f)] = staged.right[static_cast<std::size_t>(f)] = 0;
+      nth(staged.left, f) = nth(staged.right, f) = 0;
     }
   }
   staged.source_frames = source.frames;

@@ -25,7 +25,7 @@ template <class S>
 Status root_from_anchor(Span<const Vec3<S>> tracks, std::int32_t control_count, Span<const Flight> flights, S gravity,
                         std::vector<Vec3<S>>& root, std::vector<std::int32_t>& anchors) {
   if (control_count <= 0) return {Error::no_controls, -1};
-  const auto controls = static_cast<std::size_t>(control_count);
+  const auto controls = to_size(control_count);
   if (tracks.size() % controls != 0) return {Error::size_mismatch, -1};
   const std::size_t frames = tracks.size() / controls;
   root.assign(frames, Vec3<S>::Zero());
@@ -49,7 +49,7 @@ Status root_from_anchor(Span<const Vec3<S>> tracks, std::int32_t control_count, 
     root[f].y() = -tracks[f * controls + anchor].y();
     anchors[f] = static_cast<std::int32_t>(anchor);
     if (flight == flights.end() || static_cast<std::int32_t>(f) != flight->take_off) continue;
-    const auto landing = static_cast<std::size_t>(flight->landing);
+    const auto landing = to_size(flight->landing);
     const std::size_t back = std::min<std::size_t>(f, 3);
     Vec3<S> velocity = Vec3<S>::Zero();
     if (back > 0) velocity = (middle(f) - middle(f - back)) / static_cast<S>(back);
@@ -75,8 +75,7 @@ std::vector<HeightConstraint<S>> anchor_constraints(Span<const std::int32_t> anc
   for (std::size_t f = 1; f < anchors.size(); ++f) {
     const std::int32_t now = anchors[f], before = anchors[f - 1];
     if (now < 0 || before < 0 || now == before) continue;
-    constraints.push_back({now, before, static_cast<std::int32_t>(f),
-                           ground[static_cast<std::size_t>(now)] - ground[static_cast<std::size_t>(before)]});
+    constraints.push_back({now, before, static_cast<std::int32_t>(f), nth(ground, now) - nth(ground, before)});
   }
   return constraints;
 }

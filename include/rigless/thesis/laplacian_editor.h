@@ -43,10 +43,8 @@ namespace detail {
 // A vertex of the first shell without a control, or -1. Allocates.
 inline std::int32_t loose_vertex(const OneRing& ring, Span<const std::int32_t> controls) {
   const Shells shells = find_shells(ring);
-  std::vector<bool> held(static_cast<std::size_t>(shells.count), false);
-  const auto shell = [&](std::int32_t v) {
-    return static_cast<std::size_t>(shells.of_vertex[static_cast<std::size_t>(v)]);
-  };
+  std::vector<bool> held(to_size(shells.count), false);
+  const auto shell = [&](std::int32_t v) { return to_size(nth(shells.of_vertex, v)); };
   for (const std::int32_t v : controls) held[shell(v)] = true;
   for (std::int32_t v = 0; v < ring.vertices(); ++v) {
     if (!held[shell(v)]) return v;
@@ -59,11 +57,11 @@ Status check_editor_input(Span<const Vec3<S>> rest, const OneRing& ring, Span<co
                           Span<const std::int32_t> controls) {
   if (rest.size() + 1 != ring.first.size() || weight.size() != ring.neighbor.size()) return {Error::size_mismatch, -1};
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    if (!rest[v].allFinite()) return {Error::not_finite, static_cast<std::int32_t>(v)};
+    if (!rest[v].allFinite()) return {Error::not_finite, v};
   }
   for (std::size_t c = 0; c < controls.size(); ++c) {
     if (controls[c] < 0 || controls[c] >= ring.vertices()) {
-      return {Error::index_out_of_range, static_cast<std::int32_t>(c)};
+      return {Error::index_out_of_range, c};
     }
   }
   const std::int32_t loose = loose_vertex(ring, controls);
@@ -87,8 +85,8 @@ Status LaplacianEditor<S, Constraint>::bind(Span<const Vec3<S>> rest, const OneR
   if (const Status s = next.ldlt_.factorize(lower); !s.ok()) return s;
   next.delta_.assign(rest.size(), Vec3<S>::Zero());
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    for (auto k = static_cast<std::size_t>(ring.first[i]); k < static_cast<std::size_t>(ring.first[i + 1]); ++k) {
-      next.delta_[i] += weight[k] * (rest[i] - rest[static_cast<std::size_t>(ring.neighbor[k])]);
+    for (auto k = to_size(ring.first[i]); k < to_size(ring.first[i + 1]); ++k) {
+      next.delta_[i] += weight[k] * (rest[i] - nth(rest, ring.neighbor[k]));
     }
   }
   next.x_.resize(rest.size());

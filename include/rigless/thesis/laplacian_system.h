@@ -17,13 +17,12 @@ using SparseMatrix = typename SparseLdlt<S>::Matrix;
 template <class S>
 SparseMatrix<S> laplacian_matrix(const OneRing& ring, Span<const S> weight) {
   std::vector<Eigen::Triplet<S, std::int32_t>> entries;
-  entries.reserve(weight.size() + static_cast<std::size_t>(ring.vertices()));
+  entries.reserve(weight.size() + to_size(ring.vertices()));
   for (std::int32_t i = 0; i < ring.vertices(); ++i) {
     S sum = S(0);
-    for (std::int32_t k = ring.first[static_cast<std::size_t>(i)]; k < ring.first[static_cast<std::size_t>(i) + 1];
-         ++k) {
-      const S w = weight[static_cast<std::size_t>(k)];
-      entries.emplace_back(i, ring.neighbor[static_cast<std::size_t>(k)], -w);
+    for (std::int32_t k = nth(ring.first, i); k < ring.first[to_size(i) + 1]; ++k) {
+      const S w = nth(weight, k);
+      entries.emplace_back(i, nth(ring.neighbor, k), -w);
       sum += w;
     }
     entries.emplace_back(i, i, sum);
@@ -37,20 +36,20 @@ SparseMatrix<S> laplacian_matrix(const OneRing& ring, Span<const S> weight) {
 // Weights for which there are none break the contract. Allocates.
 template <class S>
 std::vector<S> symmetrizing_factors(const OneRing& ring, Span<const S> weight) {
-  std::vector<S> d(static_cast<std::size_t>(ring.vertices()), S(0));
+  std::vector<S> d(to_size(ring.vertices()), S(0));
   std::vector<std::int32_t> stack;
   for (std::int32_t seed = 0; seed < ring.vertices(); ++seed) {
-    if (d[static_cast<std::size_t>(seed)] > S(0)) continue;
-    d[static_cast<std::size_t>(seed)] = S(1);
+    if (nth(d, seed) > S(0)) continue;
+    nth(d, seed) = S(1);
     stack.push_back(seed);
     while (!stack.empty()) {
       const std::int32_t i = stack.back();
-      const auto at = static_cast<std::size_t>(i);
+      const auto at = to_size(i);
       stack.pop_back();
-      for (auto k = static_cast<std::size_t>(ring.first[at]); k < static_cast<std::size_t>(ring.first[at + 1]); ++k) {
+      for (auto k = to_size(ring.first[at]); k < to_size(ring.first[at + 1]); ++k) {
         const std::int32_t j = ring.neighbor[k];
-        S& other = d[static_cast<std::size_t>(j)];
-        const S factor = d[at] * weight[k] / weight[static_cast<std::size_t>(ring.slot(j, i))];
+        S& other = nth(d, j);
+        const S factor = d[at] * weight[k] / nth(weight, ring.slot(j, i));
         if (other > S(0)) {
           RIGLESS_ASSERT(std::abs(other - factor) <= S(1e-3) * factor);
           continue;
@@ -73,7 +72,7 @@ class SquareEquations {
     SparseMatrix<S> M = laplacian_matrix<S>(ring, weight);
     for (std::int32_t column = 0; column < M.cols(); ++column) {
       for (typename SparseMatrix<S>::InnerIterator it(M, column); it; ++it) {
-        it.valueRef() *= factor_[static_cast<std::size_t>(it.row())];
+        it.valueRef() *= nth(factor_, it.row());
       }
     }
     return M;
@@ -108,9 +107,9 @@ class LeastSquaresEquations {
     for (std::int32_t column = 0; column < L_.cols(); ++column) {
       Vec3<S> sum = Vec3<S>::Zero();
       for (typename SparseMatrix<S>::InnerIterator it(L_, column); it; ++it) {
-        sum += it.value() * delta[static_cast<std::size_t>(it.row())];
+        sum += it.value() * nth(delta, it.row());
       }
-      out[static_cast<std::size_t>(column)] << sum.array(), S(0);
+      nth(out, column) << sum.array(), S(0);
     }
   }
 

@@ -55,8 +55,7 @@ std::vector<S> affine_weights(Span<const Vec3<S>> joints, const Vec3<S>& j, S lo
   Matrix hessian(size, size);
   S largest = 0;
   for (Eigen::Index a = 0; a < size; ++a)
-    for (Eigen::Index b = 0; b < size; ++b)
-      hessian(a, b) = (joints[static_cast<std::size_t>(a)] - j).dot(joints[static_cast<std::size_t>(b)] - j);
+    for (Eigen::Index b = 0; b < size; ++b) hessian(a, b) = (nth(joints, a) - j).dot(nth(joints, b) - j);
   largest = std::max(hessian.trace(), S(1));
   hessian.diagonal().array() += S(32) * std::numeric_limits<S>::epsilon() * largest;
 
@@ -68,7 +67,7 @@ std::vector<S> affine_weights(Span<const Vec3<S>> joints, const Vec3<S>& j, S lo
     Matrix system = Matrix::Zero(size + 1, size + 1);
     Eigen::Matrix<S, Eigen::Dynamic, 1> right = Eigen::Matrix<S, Eigen::Dynamic, 1>::Zero(size + 1);
     for (Eigen::Index a = 0; a < size; ++a) {
-      const auto i = static_cast<std::size_t>(a);
+      const auto i = to_size(a);
       system(size, a) = 1;
       if (bound[i] != 0) {
         system(a, a) = 1;

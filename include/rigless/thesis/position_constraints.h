@@ -18,7 +18,7 @@ class SoftHold {
               SparseMatrix<S>& system) {
     system = M;
     for (const std::int32_t v : controls) {
-      gain_.push_back(weight_ * equations.row_factor(static_cast<std::size_t>(v)));
+      gain_.push_back(weight_ * equations.row_factor(to_size(v)));
       system.coeffRef(v, v) += gain_.back();
     }
     return {};
@@ -27,7 +27,7 @@ class SoftHold {
   // No allocation.
   void right_side(Span<const std::int32_t> controls, Span<const Vec3<S>> targets, Span<Rhs4<S>> b) const {
     for (std::size_t c = 0; c < controls.size(); ++c) {
-      b[static_cast<std::size_t>(controls[c])].template head<3>() += gain_[c] * targets[c].array();
+      nth(b, controls[c]).template head<3>() += gain_[c] * targets[c].array();
     }
   }
 
@@ -44,15 +44,15 @@ class HardHold {
   // Errors: infeasible (where: control), two controls on one vertex.
   template <class Equations>
   Status bind(const Equations&, const SparseMatrix<S>& M, Span<const std::int32_t> controls, SparseMatrix<S>& system) {
-    std::vector<bool> held(static_cast<std::size_t>(M.rows()), false);
+    std::vector<bool> held(to_size(M.rows()), false);
     for (std::size_t c = 0; c < controls.size(); ++c) {
-      if (held[static_cast<std::size_t>(controls[c])]) return {Error::infeasible, static_cast<std::int32_t>(c)};
-      held[static_cast<std::size_t>(controls[c])] = true;
+      if (nth(held, controls[c])) return {Error::infeasible, c};
+      nth(held, controls[c]) = true;
     }
     M_ = M;
     system = M;
     system.prune([&](Eigen::Index row, Eigen::Index column, S) {
-      return row == column || !(held[static_cast<std::size_t>(row)] || held[static_cast<std::size_t>(column)]);
+      return row == column || !(nth(held, row) || nth(held, column));
     });
     for (const std::int32_t v : controls) system.coeffRef(v, v) = S(1);
     return {};
@@ -62,11 +62,11 @@ class HardHold {
   void right_side(Span<const std::int32_t> controls, Span<const Vec3<S>> targets, Span<Rhs4<S>> b) const {
     for (std::size_t c = 0; c < controls.size(); ++c) {
       for (typename SparseMatrix<S>::InnerIterator it(M_, controls[c]); it; ++it) {
-        b[static_cast<std::size_t>(it.row())].template head<3>() -= it.value() * targets[c].array();
+        nth(b, it.row()).template head<3>() -= it.value() * targets[c].array();
       }
     }
     for (std::size_t c = 0; c < controls.size(); ++c) {
-      b[static_cast<std::size_t>(controls[c])].template head<3>() = targets[c].array();
+      nth(b, controls[c]).template head<3>() = targets[c].array();
     }
   }
 

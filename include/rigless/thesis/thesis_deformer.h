@@ -105,7 +105,7 @@ Status ThesisDeformer<S, Constraint>::bind(Span<const Vec3<S>> rest, const OneRi
   measure_cells(cells_);
   elastic_ = elastic;
   targets_.clear();
-  for (const std::int32_t v : controls) targets_.push_back(rest[static_cast<std::size_t>(v)]);
+  for (const std::int32_t v : controls) targets_.push_back(nth(rest, v));
   fits_.assign(rest.size(), {Mat3<S>::Identity(), S(1)});
   transform_.assign(rest.size(), Mat3<S>::Identity());
   delta_.assign(rest.size(), Vec3<S>::Zero());

@@ -69,9 +69,6 @@ export type MotionInput =
   | { format: "bvh"; name: string; text: string }
   | { format: "acclaim"; skeletonName: string; skeleton: string; name: string; text: string };
 
-/** What a joint is: at most one joint of a side is each. */
-export type BodyPart = Exclude<AnyPart, "none">;
-
 export interface Joint {
   name: string;
   /** -1 for the root. */

@@ -28,12 +28,12 @@ struct UniformWeights {
 template <class Weights, class S>
 RIGLESS_COLD Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces, Span<const S> rigidity,
                                 Cells<S>& out) {
-  const auto count = static_cast<std::int32_t>(rest.size());
+  const auto count = count_of(rest);
   if (const Status s = check_faces(faces, count); !s.ok()) return s;
   if (!rigidity.empty() && rigidity.size() != rest.size()) return {Error::size_mismatch, -1};
   for (std::size_t v = 0; v < rest.size(); ++v) {
     const bool stiff = rigidity.empty() || (rigidity[v] > S(0) && std::isfinite(rigidity[v]));
-    if (!rest[v].allFinite() || !stiff) return {Error::not_finite, static_cast<std::int32_t>(v)};
+    if (!rest[v].allFinite() || !stiff) return {Error::not_finite, v};
   }
   Cells<S> cells;
   cells.rest.assign(rest.begin(), rest.end());
@@ -48,13 +48,12 @@ RIGLESS_COLD Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces
   }
   cells.weight = Weights::template of<S>(rest, faces, cells.ring);
   for (const auto& [a, b] : ties) {
-    cells.weight[static_cast<std::size_t>(cells.ring.slot(a, b))] = S(1);
-    cells.weight[static_cast<std::size_t>(cells.ring.slot(b, a))] = S(1);
+    nth(cells.weight, cells.ring.slot(a, b)) = S(1);
+    nth(cells.weight, cells.ring.slot(b, a)) = S(1);
   }
   for (std::size_t i = 0; i < rigidity.size(); ++i) {
-    for (auto k = static_cast<std::size_t>(cells.ring.first[i]); k < static_cast<std::size_t>(cells.ring.first[i + 1]);
-         ++k) {
-      cells.weight[k] *= std::min(rigidity[i], rigidity[static_cast<std::size_t>(cells.ring.neighbor[k])]);
+    for (auto k = to_size(cells.ring.first[i]); k < to_size(cells.ring.first[i + 1]); ++k) {
+      cells.weight[k] *= std::min(rigidity[i], nth(rigidity, cells.ring.neighbor[k]));
     }
   }
   measure_cells(cells);

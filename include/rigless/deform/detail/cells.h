@@ -19,10 +19,10 @@ struct Cells {
 // Calls f(w_ij, e_ij, j) for every neighbour j of i.
 template <class S, class F>
 void for_each_edge(const Cells<S>& cells, std::size_t i, const F& f) {
-  const auto begin = static_cast<std::size_t>(cells.ring.first[i]);
-  const auto end = static_cast<std::size_t>(cells.ring.first[i + 1]);
+  const auto begin = to_size(cells.ring.first[i]);
+  const auto end = to_size(cells.ring.first[i + 1]);
   for (std::size_t k = begin; k < end; ++k) {
-    const auto j = static_cast<std::size_t>(cells.ring.neighbor[k]);
+    const auto j = to_size(cells.ring.neighbor[k]);
     f(cells.weight[k], Vec3<S>(cells.rest[i] - cells.rest[j]), j);
   }
 }

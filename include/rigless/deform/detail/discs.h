@@ -26,8 +26,8 @@ template <class S>
 RIGLESS_COLD Status make_discs(const Cells<S>& cells, Span<const Control<S>> controls, Discs& out) {
   if (controls.empty()) return {Error::no_controls, -1};
   for (std::size_t c = 0; c < controls.size(); ++c) {
-    if (controls[c].vertex < 0 || static_cast<std::size_t>(controls[c].vertex) >= cells.size()) {
-      return {Error::index_out_of_range, static_cast<std::int32_t>(c)};
+    if (controls[c].vertex < 0 || to_size(controls[c].vertex) >= cells.size()) {
+      return {Error::index_out_of_range, c};
     }
   }
   Discs discs;
@@ -36,7 +36,7 @@ RIGLESS_COLD Status make_discs(const Cells<S>& cells, Span<const Control<S>> con
   for (std::size_t c = 0; c < controls.size(); ++c) {
     discs.center.push_back(controls[c].vertex);
     for (const auto& [vertex, d] : vertices_within<S>(cells.rest, cells.ring, controls[c].vertex, controls[c].radius)) {
-      const auto v = static_cast<std::size_t>(vertex);
+      const auto v = to_size(vertex);
       if (d >= distance[v]) continue;
       distance[v] = d;
       discs.owner[v] = static_cast<std::int32_t>(c);
@@ -44,15 +44,14 @@ RIGLESS_COLD Status make_discs(const Cells<S>& cells, Span<const Control<S>> con
   }
   discs.first.assign(controls.size() + 1, 0);
   for (std::int32_t c : discs.owner) {
-    if (c >= 0) discs.first[static_cast<std::size_t>(c) + 1]++;
+    if (c >= 0) discs.first[to_size(c) + 1]++;
   }
   for (std::size_t c = 0; c < controls.size(); ++c) discs.first[c + 1] += discs.first[c];
-  discs.member.resize(static_cast<std::size_t>(discs.first.back()));
+  discs.member.resize(to_size(discs.first.back()));
   std::vector<std::int32_t> next = discs.first;
   for (std::size_t v = 0; v < cells.size(); ++v) {
     if (discs.owner[v] < 0) continue;
-    discs.member[static_cast<std::size_t>(next[static_cast<std::size_t>(discs.owner[v])]++)] =
-        static_cast<std::int32_t>(v);
+    nth(discs.member, nth(next, discs.owner[v])++) = static_cast<std::int32_t>(v);
   }
   out = std::move(discs);
   return {};
@@ -84,18 +83,18 @@ RIGLESS_COLD DiscSeams<S> find_seams(const Cells<S>& cells, const Discs& discs) 
   seams.transform.assign(discs.member.size(), Mat3<S>::Identity());
   seams.first.push_back(0);
   for (std::size_t c = 0; c < discs.size(); ++c) {
-    const Vec3<S>& center = cells.rest[static_cast<std::size_t>(discs.center[c])];
+    const Vec3<S>& center = nth(cells.rest, discs.center[c]);
     for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
-      const auto k = static_cast<std::size_t>(discs.member[static_cast<std::size_t>(m)]);
+      const auto k = to_size(nth(discs.member, m));
       for_each_edge(cells, k, [&](S w, const Vec3<S>& e, std::size_t j) {
         if (discs.owner[j] == static_cast<std::int32_t>(c)) {
-          seams.inside[static_cast<std::size_t>(m)] += (w * e) * e.transpose();
+          nth(seams.inside, m) += (w * e) * e.transpose();
         } else {
           seams.edge.push_back({m, static_cast<std::int32_t>(j), w, e, cells.rest[k] - center});
         }
       });
     }
-    seams.first.push_back(static_cast<std::int32_t>(seams.edge.size()));
+    seams.first.push_back(count_of(seams.edge));
   }
   return seams;
 }
@@ -109,14 +108,14 @@ Mat3<S> fit_disc(DiscSeams<S>& seams, const Discs& discs, std::size_t c, const T
                  const Position& position, const Vec3<S>& target) {
   Mat3<S> C = Mat3<S>::Zero();
   for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
-    const auto at = static_cast<std::size_t>(m);
-    seams.transform[at] = transform(static_cast<std::size_t>(discs.member[at]));
+    const auto at = to_size(m);
+    seams.transform[at] = transform(to_size(discs.member[at]));
     C.noalias() += seams.inside[at] * seams.transform[at].transpose();
   }
   for (std::int32_t k = seams.first[c]; k < seams.first[c + 1]; ++k) {
-    const auto& edge = seams.edge[static_cast<std::size_t>(k)];
-    const auto j = static_cast<std::size_t>(edge.to);
-    const Mat3<S> M = seams.transform[static_cast<std::size_t>(edge.member)] + transform(j);
+    const auto& edge = nth(seams.edge, k);
+    const auto j = to_size(edge.to);
+    const Mat3<S> M = nth(seams.transform, edge.member) + transform(j);
     const Vec3<S> q = S(2) * (position(j) - target) + M * edge.rest;
     C.noalias() += (edge.weight * edge.from_center) * q.transpose();
   }

@@ -17,7 +17,7 @@ class HardRows {
     ldlt_ = {};
     ldlt_.analyze(cells.ring.first, cells.ring.neighbor);
     diagonal_.assign(cells.size(), S(0));
-    coupling_.assign(static_cast<std::size_t>(cells.ring.edges()), S(0));
+    coupling_.assign(to_size(cells.ring.edges()), S(0));
     factored_ = false;
   }
 
@@ -54,17 +54,16 @@ class HardRows {
     }
     if (!factored_) return;
     for (const std::int32_t v : changed_) {
-      fill(cells, static_cast<std::size_t>(v), to);
-      for_each_edge(cells, static_cast<std::size_t>(v), [&](S, const Vec3<S>&, std::size_t j) { fill(cells, j, to); });
+      fill(cells, to_size(v), to);
+      for_each_edge(cells, to_size(v), [&](S, const Vec3<S>&, std::size_t j) { fill(cells, j, to); });
     }
   }
 
   void fill(const Cells<S>& cells, std::size_t i, const Discs& discs) {
     S diagonal = S(0);
-    for (auto k = static_cast<std::size_t>(cells.ring.first[i]); k < static_cast<std::size_t>(cells.ring.first[i + 1]);
-         ++k) {
+    for (auto k = to_size(cells.ring.first[i]); k < to_size(cells.ring.first[i + 1]); ++k) {
       diagonal += cells.weight[k];
-      const bool coupled = !discs.holds(i) && !discs.holds(static_cast<std::size_t>(cells.ring.neighbor[k]));
+      const bool coupled = !discs.holds(i) && !discs.holds(to_size(cells.ring.neighbor[k]));
       coupling_[k] = coupled ? -cells.weight[k] : S(0);
     }
     diagonal_[i] = discs.holds(i) ? S(1) : diagonal;

@@ -10,14 +10,14 @@ void Deformer<S, Weights>::start() {
   RIGLESS_ASSERT(discs_.size() > 0);
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
   for (std::size_t c = 0; c < targets_.size(); ++c) {
-    from += cells_.rest[static_cast<std::size_t>(discs_.center[c])];
+    from += nth(cells_.rest, discs_.center[c]);
     to += targets_[c];
   }
   from /= static_cast<S>(targets_.size());
   to /= static_cast<S>(targets_.size());
   Mat3<S> C = Mat3<S>::Zero();
   for (std::size_t c = 0; c < targets_.size(); ++c) {
-    C += (cells_.rest[static_cast<std::size_t>(discs_.center[c])] - from) * (targets_[c] - to).transpose();
+    C += (nth(cells_.rest, discs_.center[c]) - from) * (targets_[c] - to).transpose();
   }
   const Mat3<S> R = nearest_rotation(C);
   for (std::size_t v = 0; v < cells_.size(); ++v) {
@@ -67,8 +67,7 @@ void Deformer<S, Weights>::relax(int iterations) {
       if (ahead) x_[i] += momentum * (now - solved_[i]);
       solved_[i] = now;
     }
-    for (const std::int32_t v : discs_.member)
-      row(x_, static_cast<std::size_t>(v)) = row(solved_, static_cast<std::size_t>(v));
+    for (const std::int32_t v : discs_.member) row(x_, to_size(v)) = row(solved_, to_size(v));
   }
   show({}, shape_);
 }
@@ -96,7 +95,7 @@ void Deformer<S, Weights>::pose(const Law& law) {
   RIGLESS_ASSERT(discs_.size() > 0);
   std::fill(r_.begin(), r_.end(), Quad{});
   pose_step(slices_, x_.data(), law, r_.data());
-  for (const std::int32_t v : discs_.member) row(r_, static_cast<std::size_t>(v)) = Quad{};
+  for (const std::int32_t v : discs_.member) row(r_, to_size(v)) = Quad{};
   system_.solve(r_.data());
   show(r_, positions_);
 }
@@ -122,26 +121,26 @@ void Deformer<S, Weights>::turn_discs() {
 template <class S, class Weights>
 void Deformer<S, Weights>::hold() {
   for (std::size_t c = 0; c < discs_.size(); ++c) {
-    const Vec3<S>& center = cells_.rest[static_cast<std::size_t>(discs_.center[c])];
+    const Vec3<S>& center = nth(cells_.rest, discs_.center[c]);
     for (std::int32_t m = discs_.first[c]; m < discs_.first[c + 1]; ++m) {
-      const auto v = static_cast<std::size_t>(discs_.member[static_cast<std::size_t>(m)]);
+      const auto v = to_size(nth(discs_.member, m));
       const Vec3<S> p = targets_[c] + disc_rotation_[c] * (cells_.rest[v] - center);
       const Quad now{p.x(), p.y(), p.z(), S(0)};
-      moved_[static_cast<std::size_t>(m)] = now - row(x_, v);
+      nth(moved_, m) = now - row(x_, v);
       row(x_, v) = now;
     }
   }
   for (const auto& edge : seams_.edge) {
-    row(r_, static_cast<std::size_t>(edge.to)) += edge.weight * moved_[static_cast<std::size_t>(edge.member)];
+    row(r_, to_size(edge.to)) += edge.weight * nth(moved_, edge.member);
   }
-  for (const std::int32_t v : discs_.member) row(r_, static_cast<std::size_t>(v)) = Quad{};
+  for (const std::int32_t v : discs_.member) row(r_, to_size(v)) = Quad{};
 }
 
 // x, plus the update if there is one, in the caller's numbering.
 template <class S, class Weights>
 void Deformer<S, Weights>::show(Span<const Quad> update, Span<Vec3<S>> out) const {
   for (std::size_t v = 0; v < out.size(); ++v) {
-    const auto at = static_cast<std::size_t>(system_.place()[v]);
+    const auto at = to_size(system_.place()[v]);
     const Quad q = update.empty() ? x_[at] : x_[at] + update[at];
     out[v] = Vec3<S>(q[0], q[1], q[2]);
   }

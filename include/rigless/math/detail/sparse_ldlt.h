@@ -55,8 +55,8 @@ Status SparseLdlt<S>::analyze(const Matrix& lower) {
   solver_ = std::make_unique<Solver>();
   solver_->analyzePattern(lower);
   if (solver_->info() != Eigen::Success) return {Error::factorization_failed, -1};
-  work_.resize(static_cast<std::size_t>(rows_));
-  inverse_d_.resize(static_cast<std::size_t>(rows_));
+  work_.resize(to_size(rows_));
+  inverse_d_.resize(to_size(rows_));
   return {};
 }
 
@@ -69,7 +69,7 @@ Status SparseLdlt<S>::factorize(const Matrix& lower) {
   const auto D = solver_->vectorD();
   for (std::int32_t i = 0; i < rows_; ++i) {
     if (!(D[i] > S(0))) return {Error::factorization_failed, solver_->permutationPinv().indices()[i]};
-    inverse_d_[static_cast<std::size_t>(i)] = S(1) / D[i];
+    nth(inverse_d_, i) = S(1) / D[i];
   }
   factored_ = true;
   return {};
@@ -83,18 +83,18 @@ void SparseLdlt<S>::solve(Span<Rhs4<S>> x) {
   const std::int32_t* inner = L.innerIndexPtr();
   const S* values = L.valuePtr();
   const std::int32_t* to_factor = solver_->permutationP().indices().data();
-  const auto n = static_cast<std::size_t>(rows_);
-  for (std::size_t i = 0; i < n; ++i) work_[static_cast<std::size_t>(to_factor[i])] = x[i];
+  const auto n = to_size(rows_);
+  for (std::size_t i = 0; i < n; ++i) nth(work_, to_factor[i]) = x[i];
   for (std::size_t j = 0; j < n; ++j) {
     const Rhs4<S> xj = work_[j];
-    for (std::int32_t k = outer[j]; k < outer[j + 1]; ++k) work_[static_cast<std::size_t>(inner[k])] -= values[k] * xj;
+    for (std::int32_t k = outer[j]; k < outer[j + 1]; ++k) nth(work_, inner[k]) -= values[k] * xj;
   }
   for (std::size_t j = n; j-- > 0;) {
     Rhs4<S> xj = work_[j] * inverse_d_[j];
-    for (std::int32_t k = outer[j]; k < outer[j + 1]; ++k) xj -= values[k] * work_[static_cast<std::size_t>(inner[k])];
+    for (std::int32_t k = outer[j]; k < outer[j + 1]; ++k) xj -= values[k] * nth(work_, inner[k]);
     work_[j] = xj;
   }
-  for (std::size_t i = 0; i < n; ++i) x[i] = work_[static_cast<std::size_t>(to_factor[i])];
+  for (std::size_t i = 0; i < n; ++i) x[i] = nth(work_, to_factor[i]);
 }
 
 }  // namespace rigless

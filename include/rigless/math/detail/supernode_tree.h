@@ -62,16 +62,14 @@ RIGLESS_COLD inline std::vector<std::int32_t> supernode_ends(const Columns& colu
   };
   constexpr std::int64_t widest = 64;  // wider ones gain nothing and would make a partial refactorisation coarse
   const auto n = static_cast<std::int64_t>(columns.parent.size());
-  const auto below = [&](std::int64_t j) {
-    return columns.begin[static_cast<std::size_t>(j) + 1] - columns.begin[static_cast<std::size_t>(j)];
-  };
+  const auto below = [&](std::int64_t j) { return columns.begin[to_size(j) + 1] - nth(columns.begin, j); };
   std::vector<Draft> drafts;
   for (std::int64_t j = 0; j < n; ++j) {
     drafts.push_back({j, j, 0});
     while (drafts.size() > 1) {
       const Draft& s = drafts[drafts.size() - 2];
       const Draft& p = drafts.back();
-      const std::int64_t parent = columns.parent[static_cast<std::size_t>(s.last)];
+      const std::int64_t parent = nth(columns.parent, s.last);
       if (parent < p.first || parent > p.last) break;
       const std::int64_t ws = s.last - s.first + 1, wp = p.last - p.first + 1, w = ws + wp;
       if (w > widest) break;
@@ -91,7 +89,7 @@ RIGLESS_COLD inline std::vector<std::int32_t> supernode_ends(const Columns& colu
 
 // Cuts a supernode into blocks.
 inline void append_blocks(SupernodeTree& tree, Supernode& node) {
-  node.blocks = static_cast<std::int32_t>(tree.blocks.size());
+  node.blocks = count_of(tree.blocks);
   for (std::int32_t k = 0; k < node.width; k += ColumnBlock::widest) {
     ColumnBlock block;
     block.first = node.first + k;
@@ -110,14 +108,12 @@ RIGLESS_COLD inline void link_supernodes(SupernodeTree& tree) {
   for (std::size_t d = 0; d < tree.nodes.size(); ++d) {
     const Supernode& node = tree.nodes[d];
     for (std::int32_t b = 0; b < node.row_count;) {
-      const auto at = [&](std::int32_t r) {
-        return tree.node_of[static_cast<std::size_t>(tree.rows[static_cast<std::size_t>(node.rows + r)])];
-      };
+      const auto at = [&](std::int32_t r) { return nth(tree.node_of, nth(tree.rows, node.rows + r)); };
       std::int32_t e = b + 1;
       while (e < node.row_count && at(e) == at(b)) ++e;
       links.push_back({static_cast<std::int32_t>(d), b, e});
       target.push_back(at(b));
-      tree.nodes[static_cast<std::size_t>(at(b))].link_count++;
+      nth(tree.nodes, at(b)).link_count++;
       b = e;
     }
   }
@@ -130,7 +126,7 @@ RIGLESS_COLD inline void link_supernodes(SupernodeTree& tree) {
   for (const Supernode& node : tree.nodes) next.push_back(node.links);
   tree.links.resize(links.size());
   for (std::size_t l = 0; l < links.size(); ++l) {
-    tree.links[static_cast<std::size_t>(next[static_cast<std::size_t>(target[l])]++)] = links[l];
+    nth(tree.links, nth(next, target[l])++) = links[l];
   }
 }
 
@@ -141,7 +137,7 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
   const auto invert = [&] {
     tree.place.resize(tree.vertex_at.size());
     for (std::size_t i = 0; i < tree.vertex_at.size(); ++i) {
-      tree.place[static_cast<std::size_t>(tree.vertex_at[i])] = static_cast<std::int32_t>(i);
+      nth(tree.place, tree.vertex_at[i]) = static_cast<std::int32_t>(i);
     }
   };
   tree.vertex_at = detail::minimum_degree_order(first, neighbor);
@@ -149,7 +145,7 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
   const auto order = detail::postorder(detail::elimination_tree(first, neighbor, tree.vertex_at, tree.place));
   std::vector<std::int32_t> vertex_at;
   vertex_at.reserve(order.size());
-  for (const std::int32_t i : order) vertex_at.push_back(tree.vertex_at[static_cast<std::size_t>(i)]);
+  for (const std::int32_t i : order) vertex_at.push_back(nth(tree.vertex_at, i));
   tree.vertex_at = std::move(vertex_at);
   invert();
 
@@ -161,21 +157,21 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
     node.first = start;
     node.width = end - start + 1;
     for (std::int32_t k = start; k <= end; ++k) tree.rows.push_back(k);
-    node.rows = static_cast<std::int32_t>(tree.rows.size());
-    const auto from = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[static_cast<std::size_t>(end)]);
-    const auto to = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[static_cast<std::size_t>(end) + 1]);
+    node.rows = count_of(tree.rows);
+    const auto from = columns.row.begin() + static_cast<std::ptrdiff_t>(nth(columns.begin, end));
+    const auto to = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[to_size(end) + 1]);
     tree.rows.insert(tree.rows.end(), from, to);
     node.row_count = static_cast<std::int32_t>(to - from);
     detail::append_blocks(tree, node);
     for (std::int32_t k = start; k <= end; ++k) {
-      tree.node_of[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(tree.nodes.size());
+      nth(tree.node_of, k) = count_of(tree.nodes);
     }
     tree.nodes.push_back(node);
     start = end + 1;
   }
   for (Supernode& node : tree.nodes) {
     if (node.row_count > 0) {
-      node.parent = tree.node_of[static_cast<std::size_t>(tree.rows[static_cast<std::size_t>(node.rows)])];
+      node.parent = nth(tree.node_of, nth(tree.rows, node.rows));
     }
   }
   detail::link_supernodes(tree);

@@ -56,7 +56,7 @@ class BodyReader {
     add_trunk();
     add_rest();
     match_partners();
-    for (BodyPoint<S>& p : points_) p.vertex = graph_.vertex[static_cast<std::size_t>(p.vertex)];
+    for (BodyPoint<S>& p : points_) p.vertex = nth(graph_.vertex, p.vertex);
     return points_;
   }
 
@@ -68,8 +68,8 @@ class BodyReader {
   };
 
   bool symmetric() const { return is_symmetric(plane_); }
-  std::size_t index(const Vec3<S>& p) const { return static_cast<std::size_t>(&p - place_.data()); }
-  const Vec3<S>& place(std::int32_t node) const { return place_[static_cast<std::size_t>(node)]; }
+  std::size_t index(const Vec3<S>& p) const { return to_size(&p - place_.data()); }
+  const Vec3<S>& place(std::int32_t node) const { return nth(place_, node); }
   S apart(std::int32_t a, std::int32_t b) const { return (place(a) - place(b)).norm(); }
   std::int32_t side(std::int32_t node) const {
     const S x = place(node).x();
@@ -81,7 +81,7 @@ class BodyReader {
     S area = 0;
     for (const S a : graph_.area) area += a;
     for (const Extremity<S>& e : extremities(graph_, average_, S(0.02) * tall_)) {
-      if (graph_.shell_area[static_cast<std::size_t>(e.node)] < S(0.01) * area) continue;
+      if (nth(graph_.shell_area, e.node) < S(0.01) * area) continue;
       const bool near =
           std::any_of(tips_.begin(), tips_.end(), [&](const Tip& t) { return apart(t.node, e.node) < S(0.12); });
       if (!near && tips_.size() < 24) tips_.push_back({e.node, -1, false});
@@ -95,8 +95,7 @@ class BodyReader {
         nearest = off;
         tips_[a].partner = static_cast<std::int32_t>(b);
       }
-      if (tips_[a].partner >= 0)
-        tips_[static_cast<std::size_t>(tips_[a].partner)].partner = static_cast<std::int32_t>(a);
+      if (tips_[a].partner >= 0) nth(tips_, tips_[a].partner).partner = static_cast<std::int32_t>(a);
     }
   }
 
@@ -128,7 +127,7 @@ class BodyReader {
     std::size_t seen = 0;
     const auto reached = vertices_within<S>(graph_.position, graph_.ring, node, S(0.3) * tall_);
     for (const auto& [other, distance] : reached) {
-      area += graph_.area[static_cast<std::size_t>(other)];
+      area += nth(graph_.area, other);
       if (++seen > 12 && S(6.2832) * distance * distance > S(2.6) * area) return distance;
     }
     return S(0.3) * tall_;
@@ -145,7 +144,7 @@ class BodyReader {
       const S thick = thickness(head);
       if (thick >= S(0.055) * tall_) break;
       for (const auto& reached : vertices_within<S>(graph_.position, graph_.ring, head, S(2) * thick))
-        thin[static_cast<std::size_t>(reached.vertex)] = 1;
+        nth(thin, reached.vertex) = 1;
     }
     return head;
   }
@@ -169,7 +168,7 @@ class BodyReader {
     S middle = 0;
     for (std::size_t t = 0; t < tips_.size(); ++t) {
       if (place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
-      if (place(tips_[static_cast<std::size_t>(tips_[t].partner)].node).y() > S(0.12)) continue;
+      if (place(nth(tips_, tips_[t].partner).node).y() > S(0.12)) continue;
       feet.push_back(t);
       middle += place(tips_[t].node).z();
     }
@@ -191,12 +190,12 @@ class BodyReader {
   void add_hands() {
     const std::vector<S> from_head = node_distances(graph_, head_), from_center = node_distances(graph_, center_);
     const auto is_arm = [&](const Tip& t) {
-      const auto node = static_cast<std::size_t>(t.node);
+      const auto node = to_size(t.node);
       return !t.used && from_head[node] > S(0.9) * from_center[node];
     };
     for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
       if (tips_[t].partner < 0) continue;
-      Tip& other = tips_[static_cast<std::size_t>(tips_[t].partner)];
+      Tip& other = nth(tips_, tips_[t].partner);
       if (!is_arm(tips_[t]) || !is_arm(other)) continue;
       for (Tip* hand : {&tips_[t], &other}) {
         hand->used = true;

@@ -29,7 +29,7 @@ std::vector<S> average_geodesic(const SurfaceGraph<S>& graph, std::size_t source
       nearest[i] = distances.back()[i];
       owner[i] = distances.size() - 1;
     }
-    source = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
+    source = to_size(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
   }
   std::vector<S> weight(distances.size(), S(0));
   S total = 0;
@@ -53,27 +53,27 @@ std::vector<Extremity<S>> extremities(const SurfaceGraph<S>& graph, Span<const S
   const std::size_t n = graph.size();
   std::vector<std::int32_t> order(n), root(n, -1);  // root: union-find, whose roots are the summits
   std::iota(order.begin(), order.end(), 0);
-  const auto height = [&](std::int32_t i) { return average[static_cast<std::size_t>(i)]; };
+  const auto height = [&](std::int32_t i) { return nth(average, i); };
   std::sort(order.begin(), order.end(),
             [&](std::int32_t a, std::int32_t b) { return height(a) != height(b) ? height(a) > height(b) : a < b; });
   const auto summit = [&](std::int32_t i) {
-    while (root[static_cast<std::size_t>(i)] != i) {
-      auto& up = root[static_cast<std::size_t>(i)];
-      i = up = root[static_cast<std::size_t>(up)];
+    while (nth(root, i) != i) {
+      auto& up = nth(root, i);
+      i = up = nth(root, up);
     }
     return i;
   };
   std::vector<Extremity<S>> found;
   for (const std::int32_t i : order) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = to_size(i);
     root[at] = i;
     for (std::int32_t k = graph.ring.first[at]; k < graph.ring.first[at + 1]; ++k) {
-      const std::int32_t other = graph.ring.neighbor[static_cast<std::size_t>(k)];
-      if (root[static_cast<std::size_t>(other)] < 0) continue;
+      const std::int32_t other = nth(graph.ring.neighbor, k);
+      if (nth(root, other) < 0) continue;
       std::int32_t high = summit(other), low = summit(i);
       if (high == low) continue;
       if (height(low) > height(high) || (height(low) == height(high) && low < high)) std::swap(high, low);
-      root[static_cast<std::size_t>(low)] = high;
+      nth(root, low) = high;
       if (height(low) - height(i) >= least) found.push_back({low, height(low) - height(i)});
     }
   }

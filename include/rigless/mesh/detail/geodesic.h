@@ -28,19 +28,19 @@ RIGLESS_COLD std::vector<GeodesicVertex<S>> vertices_within(Span<const Vec3<S>> 
   std::vector<S> best(vertices.size(), std::numeric_limits<S>::max());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   std::vector<GeodesicVertex<S>> reached;
-  best[static_cast<std::size_t>(source)] = S(0);
+  nth(best, source) = S(0);
   queue.push({S(0), source});
   while (!queue.empty()) {
     const Entry e = queue.top();
     queue.pop();
-    const auto i = static_cast<std::size_t>(e.vertex);
+    const auto i = to_size(e.vertex);
     if (e.distance > best[i]) continue;
     reached.push_back({e.vertex, e.distance});
     for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
-      const std::int32_t j = ring.neighbor[static_cast<std::size_t>(k)];
-      const S d = e.distance + (vertices[static_cast<std::size_t>(j)] - vertices[i]).norm();
-      if (d <= radius && d < best[static_cast<std::size_t>(j)]) {
-        best[static_cast<std::size_t>(j)] = d;
+      const std::int32_t j = nth(ring.neighbor, k);
+      const S d = e.distance + (nth(vertices, j) - vertices[i]).norm();
+      if (d <= radius && d < nth(best, j)) {
+        nth(best, j) = d;
         queue.push({d, j});
       }
     }

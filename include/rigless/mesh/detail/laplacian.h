@@ -32,15 +32,15 @@ S corner_cotangent(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
 template <class S>
 RIGLESS_COLD std::vector<S> cotangent_weights(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring,
                                               const WeightBounds<S>& bounds = {}) {
-  std::vector<S> w(static_cast<std::size_t>(ring.edges()), S(0));
-  const auto at = [&](std::int32_t v) -> const Vec3<S>& { return vertices[static_cast<std::size_t>(v)]; };
+  std::vector<S> w(to_size(ring.edges()), S(0));
+  const auto at = [&](std::int32_t v) -> const Vec3<S>& { return nth(vertices, v); };
   for (const Face& f : faces) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t i = f[(k + 1) % 3], j = f[(k + 2) % 3];
       if (i == j) continue;
       const S half = corner_cotangent<S>(at(f[k]), at(i), at(j)) / S(2);
-      w[static_cast<std::size_t>(ring.slot(i, j))] += half;
-      w[static_cast<std::size_t>(ring.slot(j, i))] += half;
+      nth(w, ring.slot(i, j)) += half;
+      nth(w, ring.slot(j, i)) += half;
     }
   }
   for (S& x : w) x = std::min(std::max(x, bounds.lowest), bounds.highest);
@@ -50,16 +50,16 @@ RIGLESS_COLD std::vector<S> cotangent_weights(Span<const Vec3<S>> vertices, Span
 // w_ij = 1: symmetric, the plain graph Laplacian. Allocates the result.
 template <class S>
 std::vector<S> uniform_weights(const OneRing& ring) {
-  return std::vector<S>(static_cast<std::size_t>(ring.edges()), S(1));
+  return std::vector<S>(to_size(ring.edges()), S(1));
 }
 
 // w_ij = 1 / |N(i)|: not symmetric; only for Eq 2.1. Allocates the result.
 template <class S>
 std::vector<S> normalized_uniform_weights(const OneRing& ring) {
-  std::vector<S> w(static_cast<std::size_t>(ring.edges()));
+  std::vector<S> w(to_size(ring.edges()));
   for (std::size_t i = 0; i + 1 < ring.first.size(); ++i) {
     for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
-      w[static_cast<std::size_t>(k)] = S(1) / static_cast<S>(ring.first[i + 1] - ring.first[i]);
+      nth(w, k) = S(1) / static_cast<S>(ring.first[i + 1] - ring.first[i]);
     }
   }
   return w;

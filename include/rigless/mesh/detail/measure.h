@@ -37,9 +37,9 @@ S signed_volume(Span<const Vec3<S>> vertices, Span<const Face> faces) {
   const Eigen::Vector3d origin = vertices[0].template cast<double>();
   double six = 0;
   for (const Face& f : faces) {
-    const Eigen::Vector3d a = vertices[static_cast<std::size_t>(f[0])].template cast<double>() - origin;
-    const Eigen::Vector3d b = vertices[static_cast<std::size_t>(f[1])].template cast<double>() - origin;
-    const Eigen::Vector3d c = vertices[static_cast<std::size_t>(f[2])].template cast<double>() - origin;
+    const Eigen::Vector3d a = nth(vertices, f[0]).template cast<double>() - origin;
+    const Eigen::Vector3d b = nth(vertices, f[1]).template cast<double>() - origin;
+    const Eigen::Vector3d c = nth(vertices, f[2]).template cast<double>() - origin;
     six += a.dot(b.cross(c));
   }
   return static_cast<S>(six / 6);
@@ -50,9 +50,8 @@ template <class S>
 S surface_area(Span<const Vec3<S>> vertices, Span<const Face> faces) {
   double twice = 0;
   for (const Face& f : faces) {
-    const Vec3<S>& a = vertices[static_cast<std::size_t>(f[0])];
-    twice += static_cast<double>(
-        (vertices[static_cast<std::size_t>(f[1])] - a).cross(vertices[static_cast<std::size_t>(f[2])] - a).norm());
+    const Vec3<S>& a = nth(vertices, f[0]);
+    twice += static_cast<double>((nth(vertices, f[1]) - a).cross(nth(vertices, f[2]) - a).norm());
   }
   return static_cast<S>(twice / 2);
 }

@@ -16,13 +16,13 @@ struct OneRing {
   std::vector<std::int32_t> first;     // V + 1
   std::vector<std::int32_t> neighbor;  // directed edges
 
-  std::int32_t vertices() const { return static_cast<std::int32_t>(first.size()) - 1; }
-  std::int32_t edges() const { return static_cast<std::int32_t>(neighbor.size()); }
+  std::int32_t vertices() const { return count_of(first) - 1; }
+  std::int32_t edges() const { return count_of(neighbor); }
 
   // The slot of directed edge i -> j, or -1.
   std::int32_t slot(std::int32_t i, std::int32_t j) const {
-    const auto begin = neighbor.begin() + first[static_cast<std::size_t>(i)];
-    const auto end = neighbor.begin() + first[static_cast<std::size_t>(i) + 1];
+    const auto begin = neighbor.begin() + nth(first, i);
+    const auto end = neighbor.begin() + first[to_size(i) + 1];
     const auto it = std::lower_bound(begin, end, j);
     return it != end && *it == j ? static_cast<std::int32_t>(it - neighbor.begin()) : -1;
   }
@@ -33,7 +33,7 @@ inline Status check_faces(Span<const Face> faces, std::int32_t vertices) {
   if (faces.empty()) return {Error::no_faces, -1};
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::int32_t v : faces[f]) {
-      if (v < 0 || v >= vertices) return {Error::index_out_of_range, static_cast<std::int32_t>(f)};
+      if (v < 0 || v >= vertices) return {Error::index_out_of_range, f};
     }
   }
   return {};
@@ -43,17 +43,17 @@ inline Status check_faces(Span<const Face> faces, std::int32_t vertices) {
 // once took half of a binding. Allocates.
 RIGLESS_COLD inline OneRing one_ring_from_pairs(const std::vector<std::array<std::int32_t, 2>>& pairs,
                                                 std::int32_t vertices) {
-  const auto n = static_cast<std::size_t>(vertices);
+  const auto n = to_size(vertices);
   std::vector<std::int32_t> begin(n + 1, 0);
   for (const auto& [a, b] : pairs) {
-    begin[static_cast<std::size_t>(a) + 1]++;
-    begin[static_cast<std::size_t>(b) + 1]++;
+    begin[to_size(a) + 1]++;
+    begin[to_size(b) + 1]++;
   }
   for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
   std::vector<std::int32_t> bucket(2 * pairs.size()), end(begin.begin(), begin.end() - 1);
   for (const auto& [a, b] : pairs) {
-    bucket[static_cast<std::size_t>(end[static_cast<std::size_t>(a)]++)] = b;
-    bucket[static_cast<std::size_t>(end[static_cast<std::size_t>(b)]++)] = a;
+    nth(bucket, nth(end, a)++) = b;
+    nth(bucket, nth(end, b)++) = a;
   }
   OneRing ring;
   ring.first.reserve(n + 1);
@@ -63,11 +63,11 @@ RIGLESS_COLD inline OneRing one_ring_from_pairs(const std::vector<std::array<std
     std::sort(bucket.begin() + begin[i], bucket.begin() + end[i]);
     std::int32_t last = static_cast<std::int32_t>(i);  // never its own neighbour
     for (std::int32_t k = begin[i]; k < end[i]; ++k) {
-      const std::int32_t j = bucket[static_cast<std::size_t>(k)];
+      const std::int32_t j = nth(bucket, k);
       if (j != last && j != static_cast<std::int32_t>(i)) ring.neighbor.push_back(j);
       last = j;
     }
-    ring.first.push_back(static_cast<std::int32_t>(ring.neighbor.size()));
+    ring.first.push_back(count_of(ring.neighbor));
   }
   return ring;
 }

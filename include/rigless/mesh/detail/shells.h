@@ -18,7 +18,7 @@ struct Shells {
 // Labels the connected pieces of the ring. Allocates.
 RIGLESS_COLD inline Shells find_shells(const OneRing& ring) {
   Shells shells;
-  const auto n = static_cast<std::size_t>(ring.vertices());
+  const auto n = to_size(ring.vertices());
   shells.of_vertex.assign(n, -1);
   std::vector<std::int32_t> stack;
   for (std::size_t seed = 0; seed < n; ++seed) {
@@ -27,10 +27,10 @@ RIGLESS_COLD inline Shells find_shells(const OneRing& ring) {
     shells.of_vertex[seed] = id;
     stack.push_back(static_cast<std::int32_t>(seed));
     while (!stack.empty()) {
-      const auto i = static_cast<std::size_t>(stack.back());
+      const auto i = to_size(stack.back());
       stack.pop_back();
       for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
-        const auto j = static_cast<std::size_t>(ring.neighbor[static_cast<std::size_t>(k)]);
+        const auto j = to_size(nth(ring.neighbor, k));
         if (shells.of_vertex[j] >= 0) continue;
         shells.of_vertex[j] = id;
         stack.push_back(static_cast<std::int32_t>(j));
@@ -52,7 +52,7 @@ class PointGrid {
     keys_.reserve(points.size());
     for (const Vec3<S>& p : points) keys_.push_back(key(cube(p)));
     std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
-      const auto ka = keys_[static_cast<std::size_t>(a)], kb = keys_[static_cast<std::size_t>(b)];
+      const auto ka = nth(keys_, a), kb = nth(keys_, b);
       return ka != kb ? ka < kb : a < b;
     });
   }
@@ -67,11 +67,10 @@ class PointGrid {
       for (std::int64_t y = c[1] - reach; y <= c[1] + reach; ++y) {
         for (std::int64_t z = c[2] - reach; z <= c[2] + reach; ++z) {
           const std::int64_t wanted = key({x, y, z});
-          auto it = std::lower_bound(order_.begin(), order_.end(), wanted, [&](std::int32_t a, std::int64_t k) {
-            return keys_[static_cast<std::size_t>(a)] < k;
-          });
-          for (; it != order_.end() && keys_[static_cast<std::size_t>(*it)] == wanted; ++it) {
-            const S d = (points_[static_cast<std::size_t>(*it)] - p).squaredNorm();
+          auto it = std::lower_bound(order_.begin(), order_.end(), wanted,
+                                     [&](std::int32_t a, std::int64_t k) { return nth(keys_, a) < k; });
+          for (; it != order_.end() && nth(keys_, *it) == wanted; ++it) {
+            const S d = (nth(points_, *it) - p).squaredNorm();
             if (d < best_distance && accept(*it)) {
               best_distance = d;
               best = *it;
@@ -127,9 +126,9 @@ RIGLESS_COLD std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3
   // Boruvka: each round every shell reaches for its nearest foreign vertices; the cubes grow until someone is found.
   std::vector<std::vector<std::int32_t>> members;
   for (S cell = diagonal / S(64); shells.count > 1; cell *= S(2)) {
-    members.assign(static_cast<std::size_t>(shells.count), {});
+    members.assign(to_size(shells.count), {});
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      members[static_cast<std::size_t>(shells.of_vertex[v])].push_back(static_cast<std::int32_t>(v));
+      nth(members, shells.of_vertex[v]).push_back(static_cast<std::int32_t>(v));
     }
     std::size_t largest = 0;
     for (std::size_t s = 1; s < members.size(); ++s) {
@@ -148,11 +147,10 @@ RIGLESS_COLD std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3
           std::max<std::size_t>(1, members[s].size() / 2000);  // a sample is enough on big shells
       for (std::size_t m = 0; m < members[s].size(); m += stride) {
         const std::int32_t v = members[s][m];
-        const Vec3<S>& p = vertices[static_cast<std::size_t>(v)];
-        const std::int32_t to = grid.nearest(p, 1, [&](std::int32_t other) {
-          return shells.of_vertex[static_cast<std::size_t>(other)] != static_cast<std::int32_t>(s);
-        });
-        if (to >= 0) found.push_back({(vertices[static_cast<std::size_t>(to)] - p).squaredNorm(), v, to});
+        const Vec3<S>& p = nth(vertices, v);
+        const std::int32_t to = grid.nearest(
+            p, 1, [&](std::int32_t other) { return nth(shells.of_vertex, other) != static_cast<std::int32_t>(s); });
+        if (to >= 0) found.push_back({(nth(vertices, to) - p).squaredNorm(), v, to});
       }
       std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
         return a.distance != b.distance ? a.distance < b.distance : a.from < b.from;
@@ -169,7 +167,7 @@ RIGLESS_COLD std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3
       std::vector<std::array<std::int32_t, 2>> pairs = ties;
       for (std::size_t i = 0; i + 1 < ring.first.size(); ++i) {
         for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
-          pairs.push_back({static_cast<std::int32_t>(i), ring.neighbor[static_cast<std::size_t>(k)]});
+          pairs.push_back({static_cast<std::int32_t>(i), nth(ring.neighbor, k)});
         }
       }
       shells = find_shells(one_ring_from_pairs(pairs, ring.vertices()));

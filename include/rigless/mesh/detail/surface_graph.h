@@ -31,9 +31,9 @@ SurfaceGraph<S> thin(const SurfaceGraph<S>& fine) {
   std::vector<std::int32_t> taker(fine.size(), -1);
   for (std::size_t i = 0; i < fine.size(); ++i) {
     if (taker[i] >= 0) continue;
-    taker[i] = static_cast<std::int32_t>(coarse.size());
+    taker[i] = count_of(coarse);
     for (std::int32_t k = fine.ring.first[i]; k < fine.ring.first[i + 1]; ++k) {
-      std::int32_t& other = taker[static_cast<std::size_t>(fine.ring.neighbor[static_cast<std::size_t>(k)])];
+      std::int32_t& other = nth(taker, nth(fine.ring.neighbor, k));
       if (other < 0) other = taker[i];
     }
     coarse.vertex.push_back(fine.vertex[i]);
@@ -43,15 +43,14 @@ SurfaceGraph<S> thin(const SurfaceGraph<S>& fine) {
   coarse.area.assign(coarse.size(), S(0));
   std::vector<std::array<std::int32_t, 2>> pairs;
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    coarse.area[static_cast<std::size_t>(taker[i])] += fine.area[i];
+    nth(coarse.area, taker[i]) += fine.area[i];
     for (std::int32_t k = fine.ring.first[i]; k < fine.ring.first[i + 1]; ++k) {
-      const std::int32_t other = taker[static_cast<std::size_t>(fine.ring.neighbor[static_cast<std::size_t>(k)])];
+      const std::int32_t other = nth(taker, nth(fine.ring.neighbor, k));
       if (taker[i] < other) pairs.push_back({taker[i], other});
     }
   }
-  coarse.ring = one_ring_from_pairs(pairs, static_cast<std::int32_t>(coarse.size()));
-  for (const std::int32_t node : fine.node_of)
-    coarse.node_of.push_back(node < 0 ? -1 : taker[static_cast<std::size_t>(node)]);
+  coarse.ring = one_ring_from_pairs(pairs, count_of(coarse));
+  for (const std::int32_t node : fine.node_of) coarse.node_of.push_back(node < 0 ? -1 : nth(taker, node));
   return coarse;
 }
 
@@ -64,11 +63,11 @@ SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> fac
   SurfaceGraph<S> graph;
   graph.node_of.assign(vertices.size(), -1);
   for (const Face& f : faces) {
-    for (const std::int32_t v : f) graph.node_of[static_cast<std::size_t>(v)] = 0;
+    for (const std::int32_t v : f) nth(graph.node_of, v) = 0;
   }
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (graph.node_of[v] < 0) continue;
-    graph.node_of[v] = static_cast<std::int32_t>(graph.size());
+    graph.node_of[v] = count_of(graph);
     graph.vertex.push_back(static_cast<std::int32_t>(v));
     graph.position.push_back(vertices[v]);
   }
@@ -76,7 +75,7 @@ SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> fac
   std::vector<std::array<std::int32_t, 2>> pairs;
   for (const Face& f : faces) {
     std::array<std::size_t, 3> n;
-    for (std::size_t k = 0; k < 3; ++k) n[k] = static_cast<std::size_t>(graph.node_of[static_cast<std::size_t>(f[k])]);
+    for (std::size_t k = 0; k < 3; ++k) n[k] = to_size(nth(graph.node_of, f[k]));
     const Vec3<S>& a = graph.position[n[0]];
     const S area = (graph.position[n[1]] - a).cross(graph.position[n[2]] - a).norm() / S(6);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -84,14 +83,12 @@ SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> fac
       pairs.push_back({static_cast<std::int32_t>(n[k]), static_cast<std::int32_t>(n[(k + 1) % 3])});
     }
   }
-  const auto count = static_cast<std::int32_t>(graph.size());
+  const auto count = count_of(graph);
   graph.ring = one_ring_from_pairs(pairs, count);
   const Shells shells = find_shells(graph.ring);
-  std::vector<S> shell_area(static_cast<std::size_t>(shells.count), S(0));
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    shell_area[static_cast<std::size_t>(shells.of_vertex[i])] += graph.area[i];
-  for (const std::int32_t shell : shells.of_vertex)
-    graph.shell_area.push_back(shell_area[static_cast<std::size_t>(shell)]);
+  std::vector<S> shell_area(to_size(shells.count), S(0));
+  for (std::size_t i = 0; i < graph.size(); ++i) nth(shell_area, shells.of_vertex[i]) += graph.area[i];
+  for (const std::int32_t shell : shells.of_vertex) graph.shell_area.push_back(nth(shell_area, shell));
   const auto ties = tie_shells<S>(graph.position, graph.ring, 2);
   if (!ties.empty()) {
     pairs.insert(pairs.end(), ties.begin(), ties.end());
@@ -111,7 +108,7 @@ std::vector<S> node_distances(const SurfaceGraph<S>& graph, std::int32_t source)
   std::vector<S> distances(graph.size(), std::numeric_limits<S>::max());
   const S everywhere = std::numeric_limits<S>::max();
   for (const auto& [node, distance] : vertices_within<S>(graph.position, graph.ring, source, everywhere))
-    distances[static_cast<std::size_t>(node)] = distance;
+    nth(distances, node) = distance;
   return distances;
 }
 

@@ -33,8 +33,8 @@ std::vector<Vec3<S>> surface_samples(Span<const Vec3<S>> vertices, Span<const Fa
   samples.reserve(count);
   S owed = S(0.5);
   for (const Face& f : faces) {
-    const Vec3<S>& a = vertices[static_cast<std::size_t>(f[0])];
-    const Vec3<S> u = vertices[static_cast<std::size_t>(f[1])] - a, v = vertices[static_cast<std::size_t>(f[2])] - a;
+    const Vec3<S>& a = nth(vertices, f[0]);
+    const Vec3<S> u = nth(vertices, f[1]) - a, v = nth(vertices, f[2]) - a;
     for (owed += u.cross(v).norm() / S(2) / total * static_cast<S>(count); owed >= S(1); owed -= S(1)) {
       // The R2 sequence: successive points keep away from each other.
       const auto n = static_cast<S>(samples.size());
@@ -110,7 +110,7 @@ class SymmetryFinder {
     for (std::size_t i = 0; i < samples_.size(); i += stride, count += S(1)) {
       const Vec3<S> image = plane.mirror(samples_[i]);
       const std::int32_t to = grid_.nearest(image, 1, [](std::int32_t) { return true; });
-      sum += to < 0 ? S(2) * reach_ : std::min(S(2) * reach_, (samples_[static_cast<std::size_t>(to)] - image).norm());
+      sum += to < 0 ? S(2) * reach_ : std::min(S(2) * reach_, (nth(samples_, to) - image).norm());
       off += std::abs(plane.side(samples_[i]));
     }
     if (off / count > S(0.02) * box_.diagonal()) plane.misfit = sum / count / box_.diagonal();

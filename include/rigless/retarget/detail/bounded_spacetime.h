@@ -89,7 +89,7 @@ class BoundedSpacetimeSolver {
     }
     std::size_t first = 0;
     for (TrackInput<S>& track : tracks_) {
-      const std::size_t size = static_cast<std::size_t>(frames_) * track.example_controls.size();
+      const std::size_t size = to_size(frames_) * track.example_controls.size();
       track.stiffness = {&stiffness_[first], size};
       track.pull = {&pull_[first], size};
       first += size;

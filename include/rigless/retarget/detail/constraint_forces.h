@@ -54,7 +54,7 @@ class ConstraintForces {
   // How far the tracks miss the targets. No allocation.
   void measure(const std::vector<ConstraintRow<S>>& rows, const Tracks& tracks) {
     for (const auto& row : rows) {
-      S& worst = residuals_[static_cast<std::size_t>(row.constraint)];
+      S& worst = nth(residuals_, row.constraint);
       worst = std::max(worst, std::abs(value(row, tracks) - row.target));
     }
   }
@@ -69,9 +69,7 @@ class ConstraintForces {
 
   static S value(const ConstraintRow<S>& row, const Tracks& tracks) {
     S sum = 0;
-    for (const auto& term : row.terms)
-      sum +=
-          term.factor * tracks[static_cast<std::size_t>(term.track)][static_cast<std::size_t>(term.frame)][term.axis];
+    for (const auto& term : row.terms) sum += term.factor * nth(nth(tracks, term.track), term.frame)[term.axis];
     return sum;
   }
 
@@ -81,18 +79,18 @@ class ConstraintForces {
                       const std::vector<std::int32_t>& exchange, S give) {
     std::vector<S> worst(opponents_.size(), std::sqrt(std::numeric_limits<S>::epsilon()) * S(10));
     for (Eigen::Index r = 0; r < multipliers_.size(); ++r) {
-      const std::int32_t own = rows[static_cast<std::size_t>(r)].constraint;
+      const std::int32_t own = nth(rows, r).constraint;
       const S missed = give * std::abs(multipliers_[r]);
-      if (missed <= worst[static_cast<std::size_t>(own)]) continue;
-      worst[static_cast<std::size_t>(own)] = missed;
+      if (missed <= nth(worst, own)) continue;
+      nth(worst, own) = missed;
       Vector column = Vector::Unit(multipliers_.size(), r);
       solve_lu(factors, exchange.data(), column);
       S most = S(1e-3);
       for (Eigen::Index s = 0; s < column.size(); ++s) {
-        const std::int32_t other = rows[static_cast<std::size_t>(s)].constraint;
+        const std::int32_t other = nth(rows, s).constraint;
         if (other == own || give * std::abs(column[s]) <= most) continue;
         most = give * std::abs(column[s]);
-        opponents_[static_cast<std::size_t>(own)] = other;
+        nth(opponents_, own) = other;
       }
     }
   }

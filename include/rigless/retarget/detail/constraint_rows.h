@@ -38,7 +38,7 @@ Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, s
   for (const auto& c : constraints.positions) {
     if (!inside(c.track, c.frame)) return {Error::bad_constraint, index};
     for (std::int32_t axis = 0; axis < 3; ++axis) {
-      if (!c.axes[static_cast<std::size_t>(axis)]) continue;
+      if (!nth(c.axes, axis)) continue;
       result.push_back({{{{c.track, c.frame, axis, 1}, {c.track, c.frame, axis, 0}}}, c.position[axis], index});
     }
     ++index;
@@ -46,7 +46,7 @@ Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, s
   for (const auto& c : constraints.velocities) {
     if (!inside(c.track, c.frame) || c.frame == 0) return {Error::bad_constraint, index};
     for (std::int32_t axis = 0; axis < 3; ++axis) {
-      if (!c.axes[static_cast<std::size_t>(axis)]) continue;
+      if (!nth(c.axes, axis)) continue;
       result.push_back({{{{c.track, c.frame, axis, 1}, {c.track, c.frame - 1, axis, -1}}}, c.velocity[axis], index});
     }
     ++index;

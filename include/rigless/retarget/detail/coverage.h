@@ -36,15 +36,14 @@ class PoseCoverage {
   void begin(Span<const Vec3<double>> clip, std::int32_t joint_count, Span<const std::int32_t> paired,
              Span<const Vec3<double>> examples, Span<const std::int32_t> mirror, const CoverageOptions& options) {
     options_ = options;
-    const auto joints = static_cast<std::size_t>(joint_count);
+    const auto joints = to_size(joint_count);
     frames_ = clip.size() / joints;
-    stride_ = std::max<std::size_t>(
-        1, (frames_ + static_cast<std::size_t>(options.samples) - 1) / static_cast<std::size_t>(options.samples));
+    stride_ = std::max<std::size_t>(1, (frames_ + to_size(options.samples) - 1) / to_size(options.samples));
     dimension_ = 3 * paired.size();
     spreads_ = joint_spreads(clip, joint_count);
     const auto plain = [&](const Vec3<double>* pose, std::size_t j) { return pose[j]; };
     const auto mirrored = [&](const Vec3<double>* pose, std::size_t j) {
-      const Vec3<double>& p = pose[static_cast<std::size_t>(mirror[j])];
+      const Vec3<double>& p = nth(pose, mirror[j]);
       return Vec3<double>(-p.x(), p.y(), p.z());
     };
     clip_ = features(clip, joints, paired, 1, plain);
@@ -93,7 +92,7 @@ class PoseCoverage {
     std::vector<double> out;
     for (std::size_t first = 0; first < poses.size(); first += stride * joints) {
       for (const std::int32_t index : paired) {
-        const auto j = static_cast<std::size_t>(index);
+        const auto j = to_size(index);
         const Vec3<double> p = (take(&poses[first], j) - spreads_[j].mean) / (spreads_[j].scale() * shared);
         out.insert(out.end(), p.data(), p.data() + 3);
       }
@@ -155,7 +154,7 @@ class PoseCoverage {
     if (!covered_) want_ = count;
     covered_ = covered_ || error < options_.enough;
     error_ = error;
-    const bool asked = picks_ >= static_cast<std::size_t>(options_.asks);
+    const bool asked = picks_ >= to_size(options_.asks);
     if ((covered_ && asked) || count >= options_.most || error < 1e-6) {
       stage_ = Stage::done;
       return;
@@ -169,7 +168,7 @@ class PoseCoverage {
   }
 
   std::size_t nearest_to_mean() const {
-    return static_cast<std::size_t>(std::min_element(errors_.begin(), errors_.end()) - errors_.begin());
+    return to_size(std::min_element(errors_.begin(), errors_.end()) - errors_.begin());
   }
 
   // The sample after which the error is least, as far as one step of each mixture tells.

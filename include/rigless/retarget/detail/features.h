@@ -27,19 +27,19 @@ class PoseFeatures {
   // say nothing about it: the spread is at least a tenth of the clip's. Allocates.
   void bind(Span<const Vec3<S>> clip, Span<const Vec3<S>> examples, std::int32_t joint_count,
             Span<const std::int32_t> paired) {
-    const bool single = examples.size() == static_cast<std::size_t>(joint_count);
+    const bool single = examples.size() == to_size(joint_count);
     const auto clip_spreads = joint_spreads(clip, joint_count);
     const auto spreads = single ? clip_spreads : joint_spreads(examples, joint_count);
     paired_.assign(paired.begin(), paired.end());
-    clip_ = normalise(clip, static_cast<std::size_t>(joint_count), spreads, clip_spreads);
-    examples_ = normalise(examples, static_cast<std::size_t>(joint_count), spreads, clip_spreads);
+    clip_ = normalise(clip, to_size(joint_count), spreads, clip_spreads);
+    examples_ = normalise(examples, to_size(joint_count), spreads, clip_spreads);
   }
 
   // The features of a control paired with `joint` (or -1): T x D and N x D. Allocates.
   void features(std::int32_t joint, S pose_weight, std::vector<S>& clip, std::vector<S>& examples) const {
     const auto found = std::find(paired_.begin(), paired_.end(), joint);
     const bool own = joint >= 0 && found != paired_.end();
-    const auto slot = static_cast<std::size_t>(found - paired_.begin());
+    const auto slot = to_size(found - paired_.begin());
     const S weight = (own ? pose_weight : S(1)) / std::sqrt(static_cast<S>(paired_.size()));
     const auto fill = [&](const std::vector<Vec3<S>>& poses, std::vector<S>& out) {
       out.clear();
@@ -60,7 +60,7 @@ class PoseFeatures {
     std::vector<Vec3<S>> out;
     for (std::size_t first = 0; first < poses.size(); first += joints) {
       for (const std::int32_t index : paired_) {
-        const auto j = static_cast<std::size_t>(index);
+        const auto j = to_size(index);
         const JointSpread<S> spread = {spreads[j].mean, std::max(spreads[j].rms, clip_spreads[j].rms / S(10))};
         out.push_back((poses[first + j] - spread.mean) / spread.scale());
       }

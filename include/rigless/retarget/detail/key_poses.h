@@ -33,7 +33,7 @@ std::vector<KeyPose> farthest_poses(Span<const S> features, std::int32_t frames,
   (poses.colwise() - poses.rowwise().mean().eval()).colwise().squaredNorm().minCoeff(&next);
   Eigen::Matrix<S, 1, Eigen::Dynamic> distance;
   distance.setConstant(frames, std::numeric_limits<S>::infinity());
-  while (keys.size() < static_cast<std::size_t>(count)) {
+  while (keys.size() < to_size(count)) {
     const auto frame = static_cast<std::int32_t>(next);
     distance = distance.cwiseMin((poses.colwise() - poses.col(next).eval()).colwise().squaredNorm());
     const S farthest = distance.maxCoeff(&next);
@@ -48,13 +48,13 @@ std::vector<KeyPose> farthest_poses(Span<const S> features, std::int32_t frames,
 template <class S>
 std::vector<KeyPose> suggest_key_poses(Span<const Vec3<S>> clip, std::int32_t joint_count,
                                        Span<const std::int32_t> joints, std::int32_t count) {
-  const auto stride = static_cast<std::size_t>(joint_count);
+  const auto stride = to_size(joint_count);
   const auto spreads = joint_spreads(clip, joint_count);
   const S shared = std::sqrt(static_cast<S>(joints.size()));
   std::vector<S> features;
   for (std::size_t first = 0; first < clip.size(); first += stride) {
     for (const std::int32_t index : joints) {
-      const auto j = static_cast<std::size_t>(index);
+      const auto j = to_size(index);
       for (int axis = 0; axis < 3; ++axis)
         features.push_back((clip[first + j][axis] - spreads[j].mean[axis]) / (spreads[j].scale() * shared));
     }

@@ -36,13 +36,13 @@ void add_mirror_images(const MirrorTables<S>& mirror, Span<const Vec3<S>> rest, 
   const std::size_t count = examples.controls.size() / controls;
   for (std::size_t n = 0; n < count; ++n) {
     for (std::size_t j = 0; j < joints; ++j) {
-      const Vec3<S> other = examples.joints[n * joints + static_cast<std::size_t>(mirror.joints[j])];
+      const Vec3<S> other = examples.joints[n * joints + to_size(mirror.joints[j])];
       examples.joints.push_back({-other.x(), other.y(), other.z()});
     }
     for (std::size_t c = 0; c < controls; ++c) {
       Vec3<S> place = Vec3<S>::Constant(std::numeric_limits<S>::quiet_NaN());
       if (mirror.controls[c] >= 0) {
-        const auto other = static_cast<std::size_t>(mirror.controls[c]);
+        const auto other = to_size(mirror.controls[c]);
         const Vec3<S> moved = examples.controls[n * controls + other] - rest[other];
         place = rest[c] + reflected<S>(moved, mirror.normal);
       }

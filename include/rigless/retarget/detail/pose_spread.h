@@ -16,10 +16,10 @@ namespace rigless {
 // all joints when no control is paired. Allocates.
 inline std::vector<std::int32_t> paired_joints(Span<const std::int32_t> pairs, std::int32_t joint_count) {
   std::vector<std::int32_t> joints;
-  std::vector<bool> seen(static_cast<std::size_t>(joint_count), false);
+  std::vector<bool> seen(to_size(joint_count), false);
   for (const std::int32_t j : pairs) {
-    if (j < 0 || seen[static_cast<std::size_t>(j)]) continue;
-    seen[static_cast<std::size_t>(j)] = true;
+    if (j < 0 || nth(seen, j)) continue;
+    nth(seen, j) = true;
     joints.push_back(j);
   }
   if (joints.empty())
@@ -40,7 +40,7 @@ struct JointSpread {
 // Mean and spread of each joint of T x J positions; rows that are not finite do not count. Allocates.
 template <class S>
 std::vector<JointSpread<S>> joint_spreads(Span<const Vec3<S>> poses, std::int32_t joint_count) {
-  const auto joints = static_cast<std::size_t>(joint_count);
+  const auto joints = to_size(joint_count);
   const std::size_t frames = poses.size() / joints;
   std::vector<JointSpread<S>> spreads(joints);
   for (std::size_t j = 0; j < joints; ++j) {
@@ -72,7 +72,7 @@ S pose_distance_squared(const Vec3<S>* a, const Vec3<S>* b, Span<const std::int3
   S sum = 0;
   std::size_t known = 0;
   for (const std::int32_t index : joints) {
-    const auto j = static_cast<std::size_t>(index);
+    const auto j = to_size(index);
     if (!a[j].allFinite() || !b[j].allFinite()) continue;
     sum += ((a[j] - b[j]) / spreads[j].scale()).squaredNorm();
     ++known;
@@ -86,7 +86,7 @@ S pose_distance_squared(const Vec3<S>* a, const Vec3<S>* b, Span<const std::int3
 template <class S>
 void fill_unknown_joints(Span<const Vec3<S>> clip, Span<const std::int32_t> paired, std::int32_t joint_count,
                          Span<Vec3<S>> examples) {
-  const auto joints = static_cast<std::size_t>(joint_count);
+  const auto joints = to_size(joint_count);
   const auto spreads = joint_spreads(clip, joint_count);
   for (std::size_t first = 0; first < examples.size(); first += joints) {
     bool whole = true;

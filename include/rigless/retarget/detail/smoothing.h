@@ -26,12 +26,12 @@ void smooth_hann(std::vector<T>& values, S frames_at_30, S fps) {
   }
   const std::vector<T> raw = values;
   for (std::ptrdiff_t f = 0; f < count; ++f) {
-    T sum = raw[static_cast<std::size_t>(f)] * S(0);
+    T sum = nth(raw, f) * S(0);
     for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
       const std::ptrdiff_t g = std::clamp<std::ptrdiff_t>(f + k, 0, count - 1);
-      sum += raw[static_cast<std::size_t>(g)] * (window[static_cast<std::size_t>(k + reach)] / total);
+      sum += nth(raw, g) * (nth(window, k + reach) / total);
     }
-    values[static_cast<std::size_t>(f)] = sum;
+    nth(values, f) = sum;
   }
 }
 

@@ -61,13 +61,13 @@ class SpacetimeSolver {
                const SpacetimeOptions<S>& options) {
     if (frames <= 0) return {Error::no_frames, -1};
     for (std::size_t t = 0; t < tracks.size(); ++t) {
-      const Error error = check(tracks[t], static_cast<std::size_t>(frames));
-      if (error != Error::none) return {error, static_cast<std::int32_t>(t)};
+      const Error error = check(tracks[t], to_size(frames));
+      if (error != Error::none) return {error, t};
     }
-    const Status status = constraint_rows(constraints, frames, static_cast<std::int32_t>(tracks.size()), rows_);
+    const Status status = constraint_rows(constraints, frames, count_of(tracks), rows_);
     if (!status.ok()) return status;
     options_ = options;
-    frames_ = static_cast<std::size_t>(frames);
+    frames_ = to_size(frames);
     inputs_.assign(tracks.begin(), tracks.end());
     prepare(constraints.size());
     return {};
@@ -112,8 +112,8 @@ class SpacetimeSolver {
   }
 
   // T positions of one track, and its T x N weights.
-  Span<const Vec3<S>> track(std::int32_t index) const { return solution_[static_cast<std::size_t>(index)]; }
-  Span<const S> weights(std::int32_t index) const { return weights_[static_cast<std::size_t>(index)]; }
+  Span<const Vec3<S>> track(std::int32_t index) const { return nth(solution_, index); }
+  Span<const S> weights(std::int32_t index) const { return nth(weights_, index); }
 
   // How far each constraint is missed at worst, counted through positions, velocities, heights; and which other one
   // stands most in its way, or -1: constraints that repeat each other do not.
@@ -147,7 +147,7 @@ class SpacetimeSolver {
     std::size_t constrained = 0;
     for (const auto& row : rows_)
       for (const auto& term : row.terms) {
-        std::size_t& own = workspace_[static_cast<std::size_t>(term.track)];
+        std::size_t& own = nth(workspace_, term.track);
         if (own == none) own = ++constrained;
       }
     systems_.resize(constrained + 1);
@@ -176,7 +176,7 @@ class SpacetimeSolver {
     const std::size_t first = frame_ * in.example_controls.size();
     if (!in.stiffness.empty()) cost = {&in.stiffness[first], &in.pull[first]};
     if (!system(track_).append(elimination_, &in.features[frame_ * (in.features.size() / frames_)], cost)) {
-      status_ = {Error::factorization_failed, static_cast<std::int32_t>(frame_)};
+      status_ = {Error::factorization_failed, frame_};
       stage_ = Stage::done;
       return;
     }
@@ -199,8 +199,7 @@ class SpacetimeSolver {
 
   void add_force(std::size_t track, const ConstraintRow<S>& row, S multiplier) {
     for (const auto& term : row.terms)
-      if (static_cast<std::size_t>(term.track) == track)
-        force_[static_cast<std::size_t>(term.frame)][term.axis] += term.factor * multiplier;
+      if (to_size(term.track) == track) nth(force_, term.frame)[term.axis] += term.factor * multiplier;
   }
 
   // One column of the Schur complement: how a unit force along this row moves all rows.
@@ -210,12 +209,11 @@ class SpacetimeSolver {
       const std::int32_t track = row.terms[k].track;
       if (k == 1 && track == row.terms[0].track) break;
       std::fill(force_.begin(), force_.end(), Vec3<S>::Zero());
-      add_force(static_cast<std::size_t>(track), row, S(1));
-      system(static_cast<std::size_t>(track)).solve(force_, false, change_);
+      add_force(to_size(track), row, S(1));
+      system(to_size(track)).solve(force_, false, change_);
       for (std::size_t r = 0; r < rows_.size(); ++r)
         for (const auto& term : rows_[r].terms)
-          if (term.track == track)
-            forces_.response(r, row_) -= term.factor * change_[static_cast<std::size_t>(term.frame)][term.axis];
+          if (term.track == track) forces_.response(r, row_) -= term.factor * nth(change_, term.frame)[term.axis];
     }
     if (++row_ < rows_.size()) return;
     forces_.solve(rows_, solution_, options_.compliance);

@@ -30,7 +30,7 @@ class SpacetimeTrack {
  public:
   // Makes room for T frames of N weights. Allocates.
   void bind(std::int32_t frames, std::size_t examples, const TrackOptions<S>& options) {
-    const auto count = static_cast<std::size_t>(frames);
+    const auto count = to_size(frames);
     options_ = options;
     examples_ = examples;
     next_ = 0;
@@ -92,7 +92,7 @@ class SpacetimeTrack {
   bool has_offset() const { return options_.offset_weight > S(0); }
 
   std::array<S, 5> acceleration_row(std::size_t f) const {
-    auto row = second_difference_row<S>(static_cast<std::int32_t>(position_.size()), static_cast<std::int32_t>(f));
+    auto row = second_difference_row<S>(count_of(position_), static_cast<std::int32_t>(f));
     for (S& x : row) x *= options_.acceleration * options_.acceleration;
     return row;
   }
@@ -113,8 +113,7 @@ class SpacetimeTrack {
 
   void append_both(std::size_t f) {
     const auto acceleration = acceleration_row(f);
-    const auto second =
-        second_difference_row<S>(static_cast<std::int32_t>(position_.size()), static_cast<std::int32_t>(f));
+    const auto second = second_difference_row<S>(count_of(position_), static_cast<std::int32_t>(f));
     const S stiffness = options_.offset_acceleration * options_.offset_acceleration;
     typename BandSolver<S, 6>::Row row;
     for (std::size_t g = 0; g < 5; ++g) {

@@ -27,14 +27,14 @@ Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<con
                     const StarterModel<S>& model, std::int32_t users, const StarterOptions<S>& options,
                     ExampleStorage<S>& examples) {
   if (joint_count <= 0 || clip.empty()) return {Error::no_frames, -1};
-  const auto joints = static_cast<std::size_t>(joint_count);
+  const auto joints = to_size(joint_count);
   const std::size_t controls = pairs.size(), known = controls > 0 ? examples.controls.size() / controls : 0;
   if (model.rest.size() != controls || clip.size() % joints != 0 || examples.joints.size() != known * joints ||
       examples.controls.size() != known * controls ||
       (!model.stands.empty() && model.stands.size() != clip.size() / joints * controls))
     return {Error::size_mismatch, -1};
   for (std::size_t c = 0; c < controls; ++c)
-    if (pairs[c] < -1 || pairs[c] >= joint_count) return {Error::index_out_of_range, static_cast<std::int32_t>(c)};
+    if (pairs[c] < -1 || pairs[c] >= joint_count) return {Error::index_out_of_range, c};
   if (users >= options.enough) return {};
 
   const std::vector<std::int32_t> paired = paired_joints(pairs, joint_count);
@@ -44,8 +44,8 @@ Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<con
   std::vector<Vec3<S>> places(controls), lesson(controls);
   std::vector<S> heard(controls);
   for (const KeyPose& key : suggest_key_poses<S>(clip, joint_count, paired, options.count)) {
-    const Vec3<S>* pose = &clip[static_cast<std::size_t>(key.frame) * joints];
-    poses.place_all(static_cast<std::size_t>(key.frame), places);
+    const Vec3<S>* pose = &clip[to_size(key.frame) * joints];
+    poses.place_all(to_size(key.frame), places);
     std::fill(lesson.begin(), lesson.end(), Vec3<S>::Zero());
     std::fill(heard.begin(), heard.end(), S(0.5));
     bool near = false;

@@ -37,7 +37,7 @@ struct StarterModel {
 // clip: T x J; J positions. Allocates.
 template <class S>
 std::vector<Vec3<S>> median_pose(Span<const Vec3<S>> clip, std::int32_t joint_count) {
-  const auto joints = static_cast<std::size_t>(joint_count);
+  const auto joints = to_size(joint_count);
   std::vector<Vec3<S>> pose(joints, Vec3<S>::Zero());
   std::vector<S> values;
   for (std::size_t j = 0; j < joints; ++j) {
@@ -73,14 +73,14 @@ class StarterPoses {
   StarterPoses(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
                const StarterModel<S>& model, const StarterOptions<S>& options)
       : clip_(clip),
-        joints_(static_cast<std::size_t>(joint_count)),
+        joints_(to_size(joint_count)),
         pairs_(pairs),
         model_(model),
         options_(options),
         median_(median_pose(clip, joint_count)),
         scale_(pairs.size()) {
     const auto lower = [](const Vec3<S>& a, const Vec3<S>& b) { return a.y() < b.y(); };
-    head_ = static_cast<std::size_t>(std::max_element(median_.begin(), median_.end(), lower) - median_.begin());
+    head_ = to_size(std::max_element(median_.begin(), median_.end(), lower) - median_.begin());
     const S human = figure_height(clip, joint_count);
     size_ = human > S(1e-6) ? model.height / human : S(1);
     legs_ = legs(human);
@@ -91,7 +91,7 @@ class StarterPoses {
   Vec3<S> place(const Vec3<S>* pose, std::size_t c) const {
     const Vec3<S>& rest = model_.rest[c];
     if (!has_joint(c)) return trunk(pose, rest);
-    const auto j = static_cast<std::size_t>(pairs_[c]);
+    const auto j = to_size(pairs_[c]);
     return rest + scale_[c] * (pose[j] - median_[j]);
   }
 
@@ -147,8 +147,7 @@ class StarterPoses {
     S nearest = scale;
     for (std::size_t other = 0; other < pairs_.size(); ++other) {
       if (!has_joint(other)) continue;
-      const Vec3<S> way =
-          median_[static_cast<std::size_t>(pairs_[other])] - median_[static_cast<std::size_t>(pairs_[c])];
+      const Vec3<S> way = nth(median_, pairs_[other]) - nth(median_, pairs_[c]);
       if (way.norm() > S(0.08) * human)
         nearest = std::min(nearest, (model_.rest[other] - model_.rest[c]).norm() / way.norm());
     }

@@ -34,7 +34,7 @@ class Ground {
       const std::size_t feet = standing_.control.size();
       for (const Flight& flight : flights_) {
         const auto in_air = [&](std::int32_t f) {
-          return standing_.labels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(f) * feet);
+          return standing_.labels.begin() + static_cast<std::ptrdiff_t>(to_size(f) * feet);
         };
         std::fill(in_air(flight.take_off + 1), in_air(flight.landing), std::uint8_t{0});
       }
@@ -52,7 +52,7 @@ class Ground {
   // the deformed surface knows what touches the ground.
   // On failure `p` is half done. Allocates. Errors: those of root_from_contacts() and lock_feet().
   Status stand(const Constraints<S>& constraints, bool lock, Performance<S>& p) const {
-    const auto frames = static_cast<std::size_t>(p.frames);
+    const auto frames = to_size(p.frames);
     const std::size_t feet = standing_.control.size();
     std::vector<Vec3<S>> world, way;
     world.reserve(frames * feet);
@@ -89,7 +89,7 @@ class Ground {
 
  private:
   std::size_t track_index(std::size_t frame, std::size_t foot) const {
-    return frame * controls_ + static_cast<std::size_t>(standing_.control[foot]);
+    return frame * controls_ + to_size(standing_.control[foot]);
   }
 
   // The coordinates of standing controls that constraints hold, as bits: T x K, or empty.
@@ -100,8 +100,7 @@ class Ground {
       for (std::size_t k = 0; k < feet; ++k) {
         if (standing_.control[k] != control) continue;
         for (int axis = 0; axis < 3; ++axis)
-          if (axes[static_cast<std::size_t>(axis)])
-            pins[static_cast<std::size_t>(frame) * feet + k] |= static_cast<std::uint8_t>(1 << axis);
+          if (nth(axes, axis)) pins[to_size(frame) * feet + k] |= static_cast<std::uint8_t>(1 << axis);
       }
     };
     for (const auto& c : constraints.positions) pin(c.track, c.frame, c.axes);
@@ -110,9 +109,9 @@ class Ground {
 
   std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing) const {
     const std::size_t feet = standing.control.size();
-    std::vector<std::uint8_t> labels(static_cast<std::size_t>(motion_->clip.frames) * controls_, 0);
+    std::vector<std::uint8_t> labels(to_size(motion_->clip.frames) * controls_, 0);
     for (std::size_t i = 0; i < standing.labels.size(); ++i)
-      labels[i / feet * controls_ + static_cast<std::size_t>(standing.control[i % feet])] = standing.labels[i];
+      labels[i / feet * controls_ + to_size(standing.control[i % feet])] = standing.labels[i];
     return labels;
   }
 

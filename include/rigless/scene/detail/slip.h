@@ -14,7 +14,7 @@ namespace rigless {
 template <class S>
 Slip<S> measure_slip(Span<const Vec3<S>> tracks, Span<const std::uint8_t> labels, std::int32_t control_count, S fps) {
   RIGLESS_ASSERT(labels.size() == tracks.size());
-  const auto controls = static_cast<std::size_t>(control_count);
+  const auto controls = to_size(control_count);
   Slip<S> slip;
   S pairs = 0;
   for (std::size_t i = controls; i < tracks.size(); ++i) {

@@ -19,7 +19,7 @@ struct StandingControls {
 // Whether `joint` is the ankle of a limb or hangs on it.
 inline bool belongs_to_foot(const Skeleton& skeleton, const LimbRoles& limb, std::int32_t joint) {
   if (limb.ankle < 0) return false;
-  for (; joint >= 0; joint = skeleton.parents[static_cast<std::size_t>(joint)]) {
+  for (; joint >= 0; joint = nth(skeleton.parents, joint)) {
     if (joint == limb.ankle) return true;
   }
   return false;
@@ -49,8 +49,7 @@ StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const 
       feet.push_back({true, true});
     }
   }
-  for (const std::int32_t c : standing.control)
-    standing.ground.push_back(rest[static_cast<std::size_t>(c)].y() - floor);
+  for (const std::int32_t c : standing.control) standing.ground.push_back(nth(rest, c).y() - floor);
   for (std::size_t f = 0; f < motion.left.size(); ++f) {
     for (const auto& [left, right] : feet) {
       const bool on = (left && motion.left[f] != 0) || (right && motion.right[f] != 0);
@@ -65,7 +64,7 @@ StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const 
 template <class S>
 void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S floor, std::int32_t frames,
                    StandingControls<S>& standing) {
-  const auto count = static_cast<std::size_t>(frames);
+  const auto count = to_size(frames);
   StandingControls<S> edited = standing;
   const auto named = [&](std::int32_t c) {
     return std::any_of(edits.begin(), edits.end(), [c](const ContactEdit& e) { return e.control == c; });
@@ -76,7 +75,7 @@ void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S fl
   for (const ContactEdit& edit : edits) {
     if (known(edit.control)) continue;
     edited.control.push_back(edit.control);
-    edited.ground.push_back(rest[static_cast<std::size_t>(edit.control)].y() - floor);
+    edited.ground.push_back(nth(rest, edit.control).y() - floor);
   }
   const std::size_t before = standing.control.size(), after = edited.control.size();
   edited.labels.assign(count * after, 0);
@@ -86,7 +85,7 @@ void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S fl
     for (const ContactEdit& edit : edits) {
       if (edit.control != edited.control[k]) continue;
       for (std::int32_t f = std::max(edit.run.begin, 0); f < std::min(edit.run.end, frames); ++f)
-        edited.labels[static_cast<std::size_t>(f) * after + k] = 1;
+        edited.labels[to_size(f) * after + k] = 1;
     }
   }
   standing = std::move(edited);
