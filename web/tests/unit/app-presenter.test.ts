@@ -11,7 +11,9 @@ test("a stage is shown everything: model, human, dots and the frame", async () =
   expect(stage.model?.positions).toEqual(toStage(stageFor(model, document.mesh), model.drawn.positions));
   expect(stage.model?.index).toBe(model.drawn.index);
   expect(stage.model?.texture).toBe(sources.of(context.model!)?.texture);
-  expect(stage.human?.names).toEqual(context.motion?.joints.map(({ name }) => name));
+  expect(stage.human?.joints).toHaveLength(context.motion?.joints.length ?? 0);
+  expect(stage.human?.joints[0].label).toBe("Hips");
+  expect([...stage.human!.parents]).toEqual(context.motion?.joints.map(({ parent }) => parent));
   expect(stage.points.map(({ id }) => id)).toEqual(document.points.map(({ id }) => id));
   expect(stage.points[2]).toMatchObject({ number: 3, name: "Left arm", twin: false });
   expect(context.motion?.joints[stage.points[2].joint].name).toBe("LeftHand");

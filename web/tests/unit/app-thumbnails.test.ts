@@ -7,12 +7,12 @@ test("the rest shape and every pose get a picture, once the first moments are ov
   const told = listen(context, "thumbnails");
   const pictures = () => [thumbnails.rest, ...document.examples.map((pose) => thumbnails.of(pose))];
   expect(pictures().every((picture) => picture === null)).toBe(true);
-  await expect.poll(() => pictures().includes(null), { timeout: 20_000 }).toBe(false);
+  await expect.poll(() => pictures().includes(null)).toBe(false);
   expect(told).toHaveLength(1 + document.examples.length);
   expect(pictures()[0]).toMatch(new RegExp(`^picture of ${context.workspace.report?.vertices} at 80, `));
   expect(new Set(pictures()).size).toBeGreaterThan(2);
 
   stage.emit("context-restored", {});
   expect(thumbnails.rest).toBeNull();
-  await expect.poll(() => pictures().includes(null), { timeout: 20_000 }).toBe(false);
+  await expect.poll(() => pictures().includes(null)).toBe(false);
 });
