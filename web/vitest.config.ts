@@ -1,5 +1,12 @@
 import { defineConfig } from "vitest/config";
 
 export default defineConfig({
-  test: { include: ["tests/unit/**/*.test.ts"], environment: "node", testTimeout: 30_000, maxWorkers: 2, passWithNoTests: true },
+  test: {
+    include: ["tests/unit/**/*.test.ts"],
+    environment: "node",
+    testTimeout: 30_000,
+    maxWorkers: 2,
+    passWithNoTests: true,
+    expect: { poll: { timeout: 20_000 } },
+  },
 });

@@ -5,7 +5,7 @@ import type { AssetsPort } from "../app/ports";
 /** Where the build put each asset, by its path under `assets`. */
 const ADDRESSES = new Map(
   Object.entries(
-    import.meta.glob<string>(["../../../assets/**/project.json", "../../../assets/**/*.{glb,bvh,webp}"], {
+    import.meta.glob<string>(["../../assets/**/project.json", "../../assets/**/*.{glb,bvh,webp}"], {
       query: "?url",
       import: "default",
       eager: true,

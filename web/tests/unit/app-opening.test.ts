@@ -1,0 +1,91 @@
+import { expect, test } from "vitest";
+import { TETRAHEDRON } from "../support/files";
+import { assets, danced, dancingSession, file, listen, said } from "./app-support";
+
+const BOX = `v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 4 -1\nv 1 4 -1\nv 1 4 1\nv -1 4 1
+f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n`;
+
+test("it begins with the first character and the first dance, saved and with nothing to undo", async () => {
+  const { session } = await dancingSession();
+  expect(session.document.mesh.file).toBe("cactus.glb");
+  expect(session.document.motion.files).toEqual([assets.motions[0].file]);
+  expect([session.history.saved, session.history.canUndo]).toEqual([true, false]);
+});
+
+test("a model that is dropped dances at once; each step can be taken back", async () => {
+  const { session, ports } = await dancingSession();
+  const before = session.document;
+  ports.chosen = [file("box.obj", BOX)];
+  await session.opening.pick("model");
+  expect(ports.asked).toEqual(["model"]);
+  expect(session.document.mesh.file).toBe("box.obj");
+  expect(session.document.name).toBe("box");
+  expect(session.selection.intro).toBe(false);
+  expect(said(session.context).at(-1)).toBe("box.obj is 4.00 m tall.");
+  expect(said(session.context)[0]).toMatch(/^Guessed \d+ points|^We found no places/);
+  while (session.history.canUndo) session.history.undo();
+  expect(session.document).toBe(before);
+});
+
+test("bad files say what is wrong and leave the work as it is", async () => {
+  const { session } = await dancingSession();
+  const before = session.document;
+  await session.opening.files([file("broken.bvh", "HIERARCHY\nROOT Hips\n{\n")]);
+  expect(session.context.notices.shown[0]).toMatchObject({ bad: true });
+  expect(said(session.context)[0]).toContain("broken.bvh");
+  expect(session.context.notices.shown[0].text).toMatch(/Your cactus is untouched\.$/);
+  await session.opening.files([file("letter.docx", "Dear all")]);
+  expect(said(session.context)[0]).toContain("letter.docx");
+  expect(session.document).toBe(before);
+});
+
+test("of several motions the first plays and the others are in the list", async () => {
+  const { session } = await dancingSession();
+  const text = new TextDecoder().decode(await assets.load("motions/walk.bvh"));
+  await session.opening.files([file("one.bvh", text), file("two.bvh", text)]);
+  expect(session.document.motion.files).toEqual(["one.bvh"]);
+  expect(session.motions.list.map(({ name }) => name)).toEqual(expect.arrayContaining(["one", "two"]));
+  expect(said(session.context)).toEqual(["2 motions came in.", "one.bvh plays now."]);
+});
+
+test("a project that was saved comes back as it was", async () => {
+  const { session, ports } = await dancingSession();
+  session.settings.rename("Mine");
+  await session.saving.save();
+  const mine = session.document;
+  session.history.undo();
+  session.selection.setPanel("poses");
+  await session.opening.files([file("Mine.rigless", ports.downloads[0].bytes)]);
+  expect(session.document).toEqual(mine);
+  expect([session.history.saved, session.selection.panel]).toEqual([true, null]);
+  expect(said(session.context)).toEqual(["Mine is open."]);
+});
+
+test("someone else takes over the dance, and comes back as they left; of several choices the newest wins", async () => {
+  const { session } = await dancingSession();
+  const told = listen(session.context, "coming");
+  session.settings.rename("Kept");
+  const kept = session.document;
+  const [cactus, gnome] = session.cast.list;
+  const first = session.opening.usePerformer(gnome);
+  expect(session.opening.coming).toBe(gnome.file);
+  const second = session.opening.useMotion(session.motions.list[1]);
+  await Promise.all([first, second]);
+  expect(session.document.mesh.file).toBe("cactus.glb");
+  expect(session.document.motion.files).toEqual([assets.motions[1].file]);
+  expect(session.opening.coming).toBeNull();
+  expect(told.length).toBeGreaterThan(2);
+
+  await session.opening.usePerformer(gnome);
+  expect(session.document.mesh.file).toBe(gnome.file);
+  expect(session.document.motion.files).toEqual([assets.motions[1].file]);
+  await danced(session.context);
+  await session.opening.usePerformer(cactus);
+  expect(session.document).toEqual({ ...kept, motion: { files: [assets.motions[1].file] } });
+});
+
+test("a model without a solid body still opens, and the person makes the points", async () => {
+  const { session } = await dancingSession();
+  await session.opening.files([file("tetra.obj", TETRAHEDRON)]);
+  expect(session.document.mesh.file).toBe("tetra.obj");
+});

@@ -1,0 +1,226 @@
+// What the tests of the app share: the real engine, readers and assets, a stage that writes down what it is told, and a clock
+// that stands still until it is wound.
+
+import { readdirSync, readFileSync } from "node:fs";
+import { afterEach, expect } from "vitest";
+import characters from "../../assets/characters/index.json";
+import motions from "../../assets/motions/index.json";
+import { Context } from "../../src/app/context";
+import type { AssetsPort, ClockPort, FileKind, PickedFile, Ports } from "../../src/app/ports";
+import { Session } from "../../src/app/session";
+import type { Topics } from "../../src/app/signals";
+import { parseProject } from "../../src/document/project";
+import type { ProjectDocument } from "../../src/document/types";
+import { EngineClient } from "../../src/engine/client";
+import { channelWorker } from "../../src/engine/node";
+import { normalPath } from "../../src/io/named-file";
+import { readModel } from "../../src/io/read-model";
+import type { StageEvents, StageLook, StagePort } from "../../src/stage/port";
+import { Emitter } from "../../src/util/emitter";
+
+const ASSETS = new URL("../../assets/", import.meta.url);
+const wasm = (name: string) => new Uint8Array(readFileSync(new URL(`../../src/engine/${name}`, import.meta.url))).buffer;
+
+/** The first second of a motion: enough to dance, and soon solved. */
+const FRAMES = 30;
+
+function firstSecond(bvh: string): string {
+  const lines = bvh.trimEnd().split("\n");
+  const at = lines.findIndex((line) => line.startsWith("Frames:"));
+  return [...lines.slice(0, at), `Frames: ${FRAMES}`, ...lines.slice(at + 1, at + 2 + FRAMES)].join("\n");
+}
+
+export const assets: AssetsPort = {
+  characters: characters as unknown as AssetsPort["characters"],
+  motions,
+  paths: readdirSync(ASSETS, { recursive: true, encoding: "utf8" }).map((path) => path.replaceAll("\\", "/")),
+  address: (path) => (assets.paths.includes(path) ? `assets/${path}` : null),
+  load: async (path) => {
+    const bytes = new Uint8Array(readFileSync(new URL(path, ASSETS)));
+    return path.endsWith(".bvh") ? new TextEncoder().encode(firstSecond(new TextDecoder().decode(bytes))) : bytes;
+  },
+};
+
+/** A clock that is wound by hand. */
+export class Clock implements ClockPort {
+  now = 0;
+  private readonly calls = new Set<(now: number) => void>();
+
+  nextFrame(call: (now: number) => void): () => void {
+    this.calls.add(call);
+    return () => this.calls.delete(call);
+  }
+
+  idle(): Promise<void> {
+    return new Promise((resolve) => setImmediate(resolve));
+  }
+
+  /** The next picture is due. */
+  tick(milliseconds: number): void {
+    this.now += milliseconds;
+    const due = [...this.calls];
+    this.calls.clear();
+    for (const call of due) call(this.now);
+  }
+
+  get waiting(): number {
+    return this.calls.size;
+  }
+}
+
+/** A stage on paper: what it was told last, and how often. */
+export class PaperStage extends Emitter<StageEvents> implements StagePort {
+  model: Parameters<StagePort["setModel"]>[0] = null;
+  human: Parameters<StagePort["setHuman"]>[0] = null;
+  vertices: Float32Array | null = null;
+  humanPose: Float32Array | null = null;
+  points: Parameters<StagePort["setPoints"]>[0] = [];
+  selected: string | null = null;
+  look: Partial<StageLook> = {};
+  insets: Parameters<StagePort["setInsets"]>[0] | null = null;
+  readonly told: string[] = [];
+
+  setModel(model: PaperStage["model"]): void {
+    this.told.push("model");
+    this.model = model;
+  }
+  setVertices(positions: Float32Array): void {
+    this.told.push("vertices");
+    this.vertices = positions;
+  }
+  setHuman(human: PaperStage["human"]): void {
+    this.told.push("human");
+    this.human = human;
+  }
+  setHumanPose(positions: Float32Array): void {
+    this.humanPose = positions;
+  }
+  beginAgain(): void {
+    this.told.push("again");
+  }
+  setPoints(points: PaperStage["points"], selected: string | null): void {
+    this.told.push("points");
+    this.points = points;
+    this.selected = selected;
+  }
+  setLook(look: Partial<StageLook>): void {
+    this.look = { ...this.look, ...look };
+  }
+  setInsets(insets: PaperStage["insets"] & object): void {
+    this.insets = insets;
+  }
+  fit(): void {
+    this.told.push("fit");
+  }
+  thumbnail(positions: Float32Array, size: number): string {
+    return `picture of ${positions.length / 3} at ${size}, ${positions.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
+  }
+  dispose(): void {
+    this.told.push("dispose");
+  }
+}
+
+export interface TestPorts extends Ports {
+  readonly clock: Clock;
+  /** What was offered as a download. */
+  readonly downloads: { name: string; bytes: Uint8Array; type: string }[];
+  /** What the person chooses when asked. */
+  chosen: readonly PickedFile[];
+  readonly asked: FileKind[];
+}
+
+export function testPorts(): TestPorts {
+  const ports: TestPorts = {
+    assets,
+    clock: new Clock(),
+    downloads: [],
+    chosen: [],
+    asked: [],
+    files: {
+      pick: async (kind) => {
+        ports.asked.push(kind);
+        return ports.chosen;
+      },
+      download: (name, bytes, type) => ports.downloads.push({ name, bytes, type }),
+    },
+    createEngine: () => new EngineClient(channelWorker(), wasm("rigless.wasm"), async () => wasm("shape-analysis.wasm")),
+    readModel: async (files, { signal } = {}) => {
+      const model = await readModel(files);
+      signal?.throwIfAborted();
+      return model;
+    },
+    // Nobody looks at it here: its size is that of the packed bytes.
+    decodePicture: async ({ bytes }) => ({ width: bytes.length, height: 1, close: () => {} }),
+    calm: true,
+  };
+  return ports;
+}
+
+export const file = (name: string, content: string | Uint8Array): PickedFile => ({
+  name,
+  arrayBuffer: async () => (typeof content === "string" ? new TextEncoder().encode(content) : content.slice()).buffer as ArrayBuffer,
+});
+
+const closing: (() => void)[] = [];
+afterEach(() => {
+  for (const close of closing.splice(0)) close();
+});
+
+/** The cactus and the first second of its dance as a document, its model and motion known to the context's library. */
+async function cactus({ workspace }: Context): Promise<ProjectDocument> {
+  const [character] = assets.characters;
+  const path = normalPath(`characters/${character.project}`);
+  const { document } = parseProject(new TextDecoder().decode(await assets.load(path)), "project.json");
+  const bytes = await assets.load(path.replace(/[^/]*$/, document.mesh.file));
+  const name = document.mesh.file;
+  const mesh = workspace.library.addModel(name, await readModel([{ name, bytes }]));
+  const text = new TextDecoder().decode(await assets.load("motions/hop.bvh"));
+  const files = workspace.library.addMotion(["hop.bvh"], { format: "bvh", name: "hop.bvh", text });
+  return { ...document, mesh: { ...document.mesh, file: mesh }, motion: { files } };
+}
+
+/** A context with nothing in it yet. */
+export function emptyContext(): { context: Context; clock: Clock; ports: TestPorts } {
+  const ports = testPorts();
+  const context = new Context(ports);
+  closing.push(() => context.workspace.close());
+  return { context, clock: ports.clock, ports };
+}
+
+/** Solves and bakes the present document. */
+export async function danced({ workspace }: Context): Promise<void> {
+  do await workspace.sync();
+  while (workspace.cache.staleCount > 0);
+}
+
+/** A context in which the cactus has danced; the playhead knows how long. */
+export async function dancingContext(): Promise<{ context: Context; clock: Clock; ports: TestPorts }> {
+  const made = emptyContext();
+  const { context } = made;
+  context.history.replace(await cactus(context));
+  await danced(context);
+  context.player.setFrames(context.performance?.frames ?? 0);
+  return made;
+}
+
+/** The whole app: the cactus has danced, and there is a stage. */
+export async function dancingSession(): Promise<{ session: Session; stage: PaperStage; ports: TestPorts }> {
+  const ports = testPorts();
+  const session = new Session(ports);
+  closing.push(() => session.close());
+  const stage = new PaperStage();
+  await session.start(() => stage);
+  await danced(session.context);
+  await expect.poll(() => stage.vertices).not.toBeNull();
+  return { session, stage, ports };
+}
+
+/** Writes down which topics are told from now on. */
+export function listen({ signals }: Context, ...topics: (keyof Topics)[]): (keyof Topics)[] {
+  const told: (keyof Topics)[] = [];
+  for (const topic of topics) signals.on(topic, () => told.push(topic));
+  return told;
+}
+
+/** The titles of what was said and not dismissed. */
+export const said = ({ notices }: Context): string[] => notices.shown.map(({ title }) => title);
