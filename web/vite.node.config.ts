@@ -1,4 +1,4 @@
-// The command line as one file with nothing to install: dist-node/rigless.js beside the core.
+// What the npm package holds, with nothing to install: the command line, and the library for Node and for pages, beside the core.
 
 import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
@@ -6,10 +6,20 @@ import { defineConfig } from "vite";
 export default defineConfig({
   publicDir: false,
   ssr: { noExternal: true },
-  build: { ssr: "cli/cli.ts", outDir: "dist-node", target: "node20", rollupOptions: { output: { entryFileNames: "rigless.js" } } },
+  build: {
+    ssr: true,
+    outDir: "dist-node",
+    target: "es2022",
+    rollupOptions: {
+      input: { rigless: "cli/main.ts", node: "src/package/node.ts", browser: "src/package/browser.ts", worker: "src/engine/worker.ts" },
+      // All in one folder: each finds the core beside itself.
+      output: { entryFileNames: "[name].js", chunkFileNames: "[name]-[hash].js" },
+    },
+  },
   plugins: [
     {
       name: "core",
+      renderChunk: (code) => code.replace('new URL("./worker.ts"', 'new URL("./worker.js"'),
       generateBundle() {
         for (const fileName of ["rigless.wasm", "shape-analysis.wasm"]) {
           this.emitFile({ type: "asset", fileName, source: readFileSync(new URL(`src/engine/${fileName}`, import.meta.url)) });

@@ -4,7 +4,8 @@ import { readFile, rename, rm, stat, writeFile } from "node:fs/promises";
 import { basename, dirname, resolve } from "node:path";
 
 import { parseProject } from "../src/document/project";
-import { decodeText, decodeUri, extension, type NamedFile } from "../src/io/named-file";
+import { formatNamed } from "../src/io/formats";
+import { decodeText, type NamedFile } from "../src/io/named-file";
 import { openProject, type OpenedProject } from "../src/io/project-file";
 import type { FoundMotion } from "../src/io/read-motion-files";
 import { sortFiles } from "../src/io/sort-files";
@@ -32,7 +33,7 @@ export async function loadProject(path: string): Promise<OpenedProject> {
 export async function loadModelAndMotion(paths: readonly string[]): Promise<{ modelFiles: NamedFile[]; motion: FoundMotion }> {
   const given = await Promise.all(paths.map((path) => read(path, basename(path))));
   const beside = await Promise.all(given.map((file, n) => readBeside(file, dirname(paths[n]))));
-  const { models, motions, problems } = sortFiles(given);
+  const { models, motions, problems } = await sortFiles(given);
   if (models.length === 1 && motions.length === 1 && problems.length === 0)
     return { modelFiles: [models[0], ...beside.flat()], motion: motions[0] };
   throw new FileError(
@@ -69,33 +70,20 @@ async function readWhole(path: string): Promise<Uint8Array> {
 /** The materials, pictures and buffers that a model names; the reader says what is missing. */
 async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]> {
   const own = dirname(file.name);
+  const format = formatNamed(file.name);
+  const names = format?.names?.(decodeText(file.bytes) ?? "") ?? [];
   const found = await Promise.all(
-    [...new Set(namesBeside(file))].map(async (inner) => {
+    [...new Set(names)].map(async (inner) => {
       const name = own === "." ? inner : `${own}/${inner}`;
       const bytes = await readWhole(resolve(folder, name)).catch(() => null);
       return bytes ? [{ name, bytes }] : [];
     }),
   );
   const files = found.flat();
-  // A material names pictures, and these nothing: only a material goes deeper, whatever it names.
-  const materials = extension(file.name) === "obj" ? files.filter((other) => extension(other.name) === "mtl") : [];
-  const deeper = await Promise.all(materials.map((other) => readBeside(other, folder)));
+  // Only a model goes deeper, and only to its own parts: a material names pictures, whatever it says.
+  const parts = files.filter((other) => format?.kind === "model" && formatNamed(other.name)?.kind === "part");
+  const deeper = await Promise.all(parts.map((other) => readBeside(other, folder)));
   return [...files, ...deeper.flat()];
-}
-
-function namesBeside({ name, bytes }: NamedFile): string[] {
-  // No pattern may run over line ends or try one stretch of spaces in two ways: files can be long.
-  const all = (pattern: RegExp): string[] => [...(decodeText(bytes) ?? "").matchAll(pattern)].map((match) => match[1].trim());
-  switch (extension(name)) {
-    case "obj":
-      return all(/^[ \t]*mtllib[ \t](.+)$/gm);
-    case "mtl":
-      return all(/^[ \t]*map_Kd[ \t](.+)$/gm).map((words) => words.split(/\s+/).at(-1) ?? "");
-    case "gltf":
-      return all(/"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
-    default:
-      return [];
-  }
 }
 
 /** Files that appear together at the end, under their names, or not at all. */

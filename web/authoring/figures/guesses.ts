@@ -26,7 +26,7 @@ window.drawGuess = async ({ model: modelUrl, motion: motionUrls, frames }) => {
     })),
   );
   const model = await readModel([modelFile!]);
-  const [motion] = findMotions(motionFiles).motions;
+  const [motion] = (await findMotions(motionFiles)).motions;
   let present: ProjectDocument = newDocument("", { file: "", facing: "+z", up: "+y" }, { files: [] });
   const workspace = new Workspace(() => present, createBrowserEngine);
   const file = workspace.library.addModel(modelFile!.name, model);

@@ -4,7 +4,7 @@ import { Box3, type Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector3
 import { toStage } from "../../src/document/stage";
 import type { ProjectDocument } from "../../src/document/types";
 import type { Model } from "../../src/io/model";
-import { stageFor } from "../../src/sync/prepare";
+import { stageFor } from "../../src/sync/placement";
 import type { Workspace } from "../../src/sync/workspace";
 import { AZIMUTH, FIELD_OF_VIEW } from "../../src/viewport/framing";
 import { Lights } from "../../src/viewport/lights";

@@ -1,7 +1,7 @@
 import { newDocument } from "../document/commands";
 import type { ProjectDocument } from "../document/types";
 import type { Motion, Performance } from "../engine/types";
-import type { SolverModel } from "../sync/prepare";
+import type { SolverModel } from "../sync/placement";
 import { Workspace } from "../sync/workspace";
 import { History } from "./history";
 import { Meter } from "./meter";

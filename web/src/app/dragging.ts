@@ -2,7 +2,7 @@ import { EngineError } from "../engine/types";
 import type { Frame } from "../engine/types";
 import { toLocal, toWorld } from "../sync/placement";
 import type { Root } from "../sync/placement";
-import { pointPartners, restControls } from "../sync/prepare";
+import { pointPartners, restControls } from "../sync/point-controls";
 import type { Context } from "./context";
 
 export interface Drag {

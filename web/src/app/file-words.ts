@@ -1,11 +1,15 @@
 import { boundsOf } from "../document/stage";
 import type { MeshRef, Point } from "../document/types";
 import type { MeshReport, Motion } from "../engine/types";
+import { listed } from "../io/formats";
 import type { Model } from "../io/model";
 import { STAGE_HEIGHT } from "../util/constants";
 import { count, figure } from "../util/words";
 
 const AXIS = { x: 0, y: 1, z: 2 } as const;
+
+/** What we open, as people call it. */
+export const TAKEN = { models: listed("model"), motions: listed("motion") } as const;
 
 /** What a model is and what we worked around. */
 export function modelText(model: Model, mesh: MeshRef, report: MeshReport | null): { title: string; text: string } {

@@ -3,7 +3,7 @@ import { boundsOf } from "../document/stage";
 import type { Point } from "../document/types";
 import type { ShapeAnalysis } from "../engine/types";
 import type { Guess } from "../sync/guess";
-import type { SolverModel } from "../sync/prepare";
+import type { SolverModel } from "../sync/placement";
 import type { Context } from "./context";
 
 const MARK = "suggested ";

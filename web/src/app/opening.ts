@@ -132,7 +132,7 @@ export class Opening {
         job.signal.throwIfAborted();
         job.step(1);
         const { sortFiles } = await import("../io/sort-files");
-        const sorted = sortFiles(named);
+        const sorted = await sortFiles(named);
         const gesture = Symbol("open");
         if (sorted.project) await this.project(named, job, gesture);
         else {
@@ -148,7 +148,7 @@ export class Opening {
 
   private async project(dropped: readonly NamedFile[], job: JobHandle, gesture: Gesture): Promise<void> {
     const { openProject } = await import("../io/project-file");
-    const opened = openProject(dropped);
+    const opened = await openProject(dropped);
     const { sources } = this.openers;
     const model = await this.ports.readModel(opened.modelFiles, { signal: job.signal });
     job.step(2);

@@ -1,7 +1,8 @@
 import { clipOf, removePin, setPin } from "../document/clips";
 import { freeId } from "../document/commands";
 import type { Pin } from "../document/types";
-import { pinsWithin, pointsOfControls } from "../sync/prepare";
+import { pointsOfControls } from "../sync/point-controls";
+import { pinsWithin } from "../sync/translate";
 import type { Context } from "./context";
 import type { Dragging, Dropped } from "./dragging";
 

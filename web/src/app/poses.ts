@@ -3,7 +3,7 @@ import type { Example, Vec3 } from "../document/types";
 import type { Motion } from "../engine/types";
 import { sayPose } from "../sync/pairing";
 import type { SaidPose } from "../sync/pairing";
-import { exampleControls, pointPartners, pointsOfControls } from "../sync/prepare";
+import { exampleControls, pointPartners, pointsOfControls } from "../sync/point-controls";
 import type { Context } from "./context";
 import type { Dragging, Dropped } from "./dragging";
 import { mirroredFrame } from "./mirrored";

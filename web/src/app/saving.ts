@@ -1,14 +1,9 @@
-import { toStage } from "../document/stage";
-import { stageFor } from "../sync/prepare";
 import { bytes, figure } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Context } from "./context";
 import type { Jobs } from "./jobs";
 import type { FilesPort } from "./ports";
 import type { Sources } from "./sources";
-
-/** More targets than this and some viewers show nothing. */
-const MAX_TARGETS = 120;
 
 /** From the document to files: the project and the animated model. */
 export class Saving {
@@ -43,18 +38,9 @@ export class Saving {
       await this.jobs.run(`Exporting ${name}`, steps, async (job) => {
         const frames = await this.allFrames(job.signal, job.progress);
         job.step(1);
-        const { writeGlb } = await import("../io/write-glb");
-        const stage = stageFor(model, mesh);
-        const every = Math.ceil(frames.length / MAX_TARGETS);
-        const glb = await writeGlb({
-          name,
-          drawn: model.drawn,
-          faces: model.faces,
-          rest: toStage(stage, model.positions),
-          frames,
-          scale: 1 / stage.scale,
-          every,
-        });
+        const { everyFor, exportDance } = await import("../io/export-dance");
+        const every = everyFor(frames.length);
+        const glb = await exportDance({ name, model, mesh, frames }, every);
         job.signal.throwIfAborted();
         this.files.download(`${name}.glb`, glb.slice(), "model/gltf-binary");
         const kept = every > 1 ? ` Every ${figure(every)} frames are one shape, so that all viewers can take it.` : "";

@@ -1,11 +1,14 @@
 import type { MotionInput } from "../engine/types";
 import type { Model } from "../io/model";
-import { extension } from "../io/named-file";
+import type { FormatKind } from "../io/format";
+import { formatOf } from "../io/formats";
 import type { NamedFile } from "../io/named-file";
-import { motionFormat } from "../io/read-motion-files";
-import type { Library } from "../sync/library";
-import type { SolverModel } from "../sync/prepare";
+import { type Library, motionTexts } from "../sync/library";
+import type { SolverModel } from "../sync/placement";
 import type { Ports } from "./ports";
+
+/** What lies among a model's files and is none of them. */
+const NOT_BESIDE: readonly (FormatKind | undefined)[] = ["motion", "skeleton", "project"];
 
 /** A model as it was opened. */
 export interface Source {
@@ -31,7 +34,7 @@ export class Sources {
    */
   async addModel(file: string, model: Model, files: readonly NamedFile[]): Promise<string> {
     const [own, ...others] = files;
-    const beside = others.filter((other) => motionFormat(other) === null && extension(other.name) !== "json");
+    const beside = others.filter((other) => !NOT_BESIDE.includes(formatOf(other)?.kind));
     const known = this.library.model(file);
     if (known && own && sameFiles(this.of(known)?.files ?? [], [{ ...own, name: file }, ...beside])) return file;
     const { texture } = model.drawn;
@@ -53,7 +56,7 @@ export class Sources {
   filesOf(model: SolverModel, motionFiles: readonly string[]): NamedFile[] {
     const motion = this.library.motion(motionFiles);
     const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
-    const texts = !motion ? [] : motion.format === "bvh" ? [motion.text] : [motion.skeleton, motion.text];
+    const texts = motion ? motionTexts(motion) : [];
     const motions = texts.map((text, k) => ({ name: motionFiles[k] ?? "", bytes: encode(text) }));
     return [...(this.of(model)?.files ?? []), ...motions];
   }

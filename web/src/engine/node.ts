@@ -10,7 +10,8 @@ import type { Engine } from "./types";
 /** Keeps the process alive until close(). `wasm`: where rigless.wasm lies, and shape-analysis.wasm beside it; default: beside this file. */
 export async function createNodeEngine(wasm: URL = new URL("./rigless.wasm", import.meta.url)): Promise<Engine> {
   const bytes = async (url: URL) => new Uint8Array(await readFile(url)).buffer;
-  return new EngineClient(channelWorker(), await bytes(wasm), () => bytes(new URL("./shape-analysis.wasm", wasm)));
+  const core = await bytes(wasm); // before there is a channel, which keeps the process alive
+  return new EngineClient(channelWorker(), core, () => bytes(new URL("./shape-analysis.wasm", wasm)));
 }
 
 // Not a message to itself as in a browser: Node empties one port before it looks at the next.

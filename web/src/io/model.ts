@@ -54,6 +54,34 @@ export interface Part {
  */
 export function buildModel(name: string, parts: readonly Part[], texture: Picture | null, notes: string[]): Model {
   const corners = joinParts(name, parts);
+  const { positions, index, vertexOf } = weldCorners(name, corners, notes);
+  const drawn = drawnOf(corners, index, vertexOf, texture);
+  const faces = Uint32Array.from(drawn.index, (r) => drawn.toVertex[r]);
+  return { name, positions, faces, drawn, notes };
+}
+
+/** A model's surface alone, and which of its vertices each corner of the part became: -1 where no face uses it. Errors: as buildModel. */
+export function buildSurface(
+  name: string,
+  part: Pick<Part, "positions" | "index">,
+  notes: string[],
+): { positions: Float32Array; faces: Uint32Array; vertexOf: Int32Array } {
+  const corners = joinParts(name, [{ ...part, colors: null, uvs: null }]);
+  const { positions, index, vertexOf } = weldCorners(name, corners, notes);
+  const faces = Uint32Array.from(index, (corner) => vertexOf[corner]);
+  return { positions, faces, vertexOf: corners.ranks[0].map((corner) => (corner < 0 ? -1 : vertexOf[corner])) };
+}
+
+interface Welding {
+  /** V x 3. */
+  positions: Float32Array;
+  /** F x 3 over corners: the triangles that are kept. */
+  index: Uint32Array;
+  /** The vertex of each corner; -1 where no kept triangle uses it. */
+  vertexOf: Int32Array;
+}
+
+function weldCorners(name: string, corners: Corners, notes: string[]): Welding {
   const { min, max } = boundsOf(corners.positions);
   const diagonal = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
   if (!(diagonal > 0)) throw new ModelError(`${name} has all its corners on one spot.`);
@@ -66,13 +94,13 @@ export function buildModel(name: string, parts: readonly Part[], texture: Pictur
 
   const index = new Uint32Array(3 * kept.length);
   for (let i = 0; i < kept.length; i++) index.set(corners.index.subarray(3 * kept[i], 3 * kept[i] + 3), 3 * i);
-  const drawn = drawnOf(corners, index, welded.vertexOf, texture);
-
-  const used = renumber(drawn.toVertex);
-  const positions = gather(welded.positions, used.order, 3);
-  drawn.toVertex = used.rank;
-  const faces = Uint32Array.from(drawn.index, (r) => drawn.toVertex[r]);
-  return { name, positions, faces, drawn, notes };
+  const rank = new Int32Array(welded.positions.length / 3).fill(-1);
+  for (const corner of index) rank[welded.vertexOf[corner]] = 0;
+  const used: number[] = [];
+  rank.forEach((is, vertex) => {
+    if (is === 0) rank[vertex] = used.push(vertex) - 1;
+  });
+  return { positions: gather(welded.positions, used, 3), index, vertexOf: Int32Array.from(welded.vertexOf, (vertex) => rank[vertex]) };
 }
 
 /** "1 triangle", "1,204 triangles" */
@@ -84,6 +112,8 @@ export function count(n: number, one: string, many = one + "s"): string {
 const FARTHEST = 1e12;
 
 interface Corners {
+  /** By part: the corner that each of its own became; -1 where no triangle uses it. */
+  ranks: Int32Array[];
   positions: Float32Array;
   index: Uint32Array;
   colors: Float32Array | null;
@@ -100,10 +130,12 @@ function joinParts(name: string, parts: readonly Part[]): Corners {
   const positions: number[] = [];
   const colors: number[] = [];
   const uvs: number[] = [];
+  const ranks: Int32Array[] = [];
   let at = 0;
   for (const part of parts) {
     const n = part.positions.length / 3;
     const rank = new Int32Array(n).fill(-1);
+    ranks.push(rank);
     for (let k = 0; k < part.index.length; k++) {
       const corner = part.index[k];
       if (!(corner >= 0 && corner < n)) {
@@ -124,6 +156,7 @@ function joinParts(name: string, parts: readonly Part[]): Corners {
     }
   }
   return {
+    ranks,
     positions: Float32Array.from(positions),
     index,
     colors: colored && colors.every(Number.isFinite) ? Float32Array.from(colors) : null,
@@ -146,7 +179,7 @@ function keptTriangles(index: Uint32Array, vertexOf: Uint32Array): number[] {
 }
 
 /** Render vertices: corners that agree in vertex, colour and uv are one. */
-function drawnOf(corners: Corners, index: Uint32Array, vertexOf: Uint32Array, texture: Picture | null): DrawnSource {
+function drawnOf(corners: Corners, index: Uint32Array, vertexOf: Int32Array, texture: Picture | null): DrawnSource {
   const colorBits = corners.colors && new Int32Array(corners.colors.buffer);
   const uvBits = corners.uvs && new Int32Array(corners.uvs.buffer);
   const width = 1 + (colorBits ? 3 : 0) + (uvBits ? 2 : 0);
@@ -169,17 +202,6 @@ function drawnOf(corners: Corners, index: Uint32Array, vertexOf: Uint32Array, te
     uvs: corners.uvs && gather(corners.uvs, source, 2),
     texture: corners.uvs && texture,
   };
-}
-
-/** Numbers the values of `keys` from 0 in the order of the values. */
-function renumber(keys: Uint32Array): { order: Uint32Array; rank: Uint32Array } {
-  const rankOf = new Uint32Array(keys.reduce((a, b) => Math.max(a, b), 0) + 1);
-  for (const key of keys) rankOf[key] = 1;
-  const order: number[] = [];
-  rankOf.forEach((used, key) => {
-    if (used) rankOf[key] = order.push(key) - 1;
-  });
-  return { order: Uint32Array.from(order), rank: keys.map((key) => rankOf[key]) };
 }
 
 function gather(values: Float32Array, rows: ArrayLike<number>, width: number): Float32Array {

@@ -6,7 +6,7 @@ export interface NamedFile {
   readonly bytes: Uint8Array;
 }
 
-/** A model that cannot be read. `message` names the file and is made to be shown. */
+/** A model or a motion that cannot be read. `message` names the file and is made to be shown. */
 export class ModelError extends Error {
   constructor(message: string) {
     super(message);

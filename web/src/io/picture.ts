@@ -1,7 +1,36 @@
 // The one picture that a model is drawn with.
 
+import { type Format, starts, wordList } from "./format";
 import type { Picture } from "./model";
 import { baseName, findFile, type NamedFile } from "./named-file";
+
+/** The pictures that we show: rows of the table of formats. */
+export const PICTURES: readonly (Format & Required<Pick<Format, "is">>)[] = [
+  {
+    id: "png",
+    kind: "picture",
+    words: "PNG",
+    extensions: ["png"],
+    mediaType: "image/png",
+    is: ({ bytes }) => starts(bytes, 0, 0x89, 0x50, 0x4e, 0x47),
+  },
+  {
+    id: "jpeg",
+    kind: "picture",
+    words: "JPEG",
+    extensions: ["jpg", "jpeg"],
+    mediaType: "image/jpeg",
+    is: ({ bytes }) => starts(bytes, 0, 0xff, 0xd8, 0xff),
+  },
+  {
+    id: "webp",
+    kind: "picture",
+    words: "WebP",
+    extensions: ["webp"],
+    mediaType: "image/webp",
+    is: ({ bytes }) => starts(bytes, 0, 0x52, 0x49, 0x46, 0x46) && starts(bytes, 8, 0x57, 0x45, 0x42, 0x50),
+  },
+];
 
 /** The picture of these names; null, with a note, if it is missing, of a kind we cannot show, or one of several. */
 export function pictureOf(names: readonly string[], files: readonly NamedFile[], from: string, notes: string[]): Picture | null {
@@ -18,18 +47,15 @@ export function pictureOf(names: readonly string[], files: readonly NamedFile[],
   return checkedPicture(baseName(file.name), file.bytes, notes);
 }
 
-/** Null, with a note, for bytes that are not a PNG, JPEG or WebP. */
+/** Null, with a note, for bytes that are none of the pictures that we show. */
 export function checkedPicture(name: string, bytes: Uint8Array, notes: string[]): Picture | null {
-  const mime = mimeOf(bytes);
-  if (mime) return { bytes, mime };
-  notes.push(`${name} is not a PNG, JPEG or WebP picture; we show the model without it.`);
-  return null;
-}
-
-function mimeOf(bytes: Uint8Array): string | null {
-  const starts = (at: number, ...magic: number[]): boolean => magic.every((byte, i) => bytes[at + i] === byte);
-  if (starts(0, 0x89, 0x50, 0x4e, 0x47)) return "image/png";
-  if (starts(0, 0xff, 0xd8, 0xff)) return "image/jpeg";
-  if (starts(0, 0x52, 0x49, 0x46, 0x46) && starts(8, 0x57, 0x45, 0x42, 0x50)) return "image/webp";
+  const format = PICTURES.find(({ is }) => is({ bytes, head: "", text: "" }));
+  if (format) return { bytes, mime: format.mediaType };
+  notes.push(
+    `${name} is not a ${wordList(
+      PICTURES.map(({ words }) => words),
+      "or",
+    )} picture; we show the model without it.`,
+  );
   return null;
 }

@@ -3,8 +3,8 @@
 import { DocumentError, parseProject, serializeProject } from "../document/project";
 import type { ProjectDocument } from "../document/types";
 import type { MotionInput } from "../engine/types";
+import { listed, modelFormat } from "./formats";
 import { baseName, decodeText, findFile, type NamedFile, normalPath } from "./named-file";
-import { modelFormat } from "./model-format";
 import { findMotions } from "./read-motion-files";
 import { sortFiles } from "./sort-files";
 import { zip } from "./zip";
@@ -42,8 +42,8 @@ export function saveProject(document: ProjectDocument, files: readonly NamedFile
  * Opens a saved zip, or a project.json among the files that it names.
  * Errors (DocumentError): no project; parseProject's; a file that is not with it; one that is no model; files that are no motion.
  */
-export function openProject(dropped: readonly NamedFile[]): OpenedProject {
-  const { project, files } = sortFiles(dropped);
+export async function openProject(dropped: readonly NamedFile[]): Promise<OpenedProject> {
+  const { project, files } = await sortFiles(dropped);
   const what = dropped.map((file) => baseName(file.name)).join(", ");
   if (!project) throw new DocumentError(`${what || "Nothing"} holds no project.json.`);
   const name = baseName(project.name);
@@ -51,23 +51,24 @@ export function openProject(dropped: readonly NamedFile[]): OpenedProject {
   if (text === null) throw new DocumentError(`${name} is not text, so it is no project.`);
   const { document } = parseProject(text, name);
   const model = needed(files, document.mesh.file, project.name, name);
-  if (modelFormat(model) === null)
-    throw new DocumentError(`${name} names ${document.mesh.file}, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).`);
+  if (modelFormat(model) === null) throw new DocumentError(`${name} names ${document.mesh.file}, which is no model (${listed("model")}).`);
   return {
     document,
     modelFiles: [model, ...files.filter((file) => file !== model)],
-    motion: motionOf(
+    motion: await motionOf(
       name,
       document.motion.files.map((path) => needed(files, path, project.name, name)),
     ),
   };
 }
 
-function motionOf(name: string, files: readonly NamedFile[]): MotionInput {
-  const { motions, problems } = findMotions(files);
+async function motionOf(name: string, files: readonly NamedFile[]): Promise<MotionInput> {
+  const { motions, problems } = await findMotions(files);
   if (motions.length === 1) return motions[0].input;
   const names = files.map((file) => baseName(file.name)).join(" and ");
-  throw new DocumentError(problems.length ? `${name}: ${problems[0]}` : `${name}: ${names} should be one BVH, or one ASF with its AMC.`);
+  throw new DocumentError(
+    problems.length ? `${name}: ${problems[0]}` : `${name}: ${names} should be one motion (${listed("motion", "or")}).`,
+  );
 }
 
 function needed(files: readonly NamedFile[], path: string, from: string, name: string): NamedFile {

@@ -1,9 +1,8 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
-import { buildModel, type Model, type Part, type Picture } from "./model";
-import { modelFormat } from "./model-format";
+import { listed, type ModelFormat, modelFormat } from "./formats";
+import { buildModel, type Model } from "./model";
 import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
-import { readOff } from "./read-off";
 
 export type { Model } from "./model";
 
@@ -12,16 +11,17 @@ export type { Model } from "./model";
  * Errors (ModelError): no model among them, an empty file, and whatever the format's reader finds wrong; the message names the file.
  */
 export async function readModel(files: readonly NamedFile[]): Promise<Model> {
-  const file = files.find((candidate) => modelFormat(candidate) !== null);
-  if (!file) {
+  const [file, format] = firstModel(files);
+  if (!file || !format) {
     const names = files.map((other) => baseName(other.name)).join(", ");
-    throw new ModelError(`${names || "Nothing"} is not a model that we read (OBJ, PLY, STL, GLB, glTF, OFF).`);
+    throw new ModelError(`${names || "Nothing"} is not a model that we read (${listed("model")}).`);
   }
   const name = baseName(file.name);
   if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);
   try {
     const notes: string[] = [];
-    const { parts, texture } = await readParts(name, file, files, notes);
+    const text = (): string => textOf(name, file.bytes, format.words);
+    const { parts, texture } = await format.read({ name, file, text, files, notes });
     return buildModel(name, parts, texture, notes);
   } catch (error) {
     if (error instanceof ModelError) throw error;
@@ -30,29 +30,12 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   }
 }
 
-/** Loads the readers one by one as they are needed, so that the page's first load carries only the one of its own model. */
-async function readParts(
-  name: string,
-  file: NamedFile,
-  files: readonly NamedFile[],
-  notes: string[],
-): Promise<{ parts: Part[]; texture: Picture | null }> {
-  const format = modelFormat(file);
-  switch (format) {
-    case "glb":
-    case "gltf":
-      return (await import("./read-gltf")).readGltf(name, file, files, notes);
-    case "ply":
-      return { parts: (await import("./read-ply")).readPly(name, file.bytes, notes), texture: null };
-    case "stl":
-      return { parts: (await import("./read-stl")).readStl(name, file.bytes), texture: null };
-    case "obj":
-      return (await import("./read-obj")).readObj(name, file.name, textOf(name, file.bytes, "OBJ"), files, notes);
-    case "off":
-      return { parts: readOff(name, textOf(name, file.bytes, "OFF"), notes), texture: null };
-    case null:
-      throw new ModelError(`${name} is not a model that we read.`);
+function firstModel(files: readonly NamedFile[]): [NamedFile, ModelFormat] | [] {
+  for (const file of files) {
+    const format = modelFormat(file);
+    if (format) return [file, format];
   }
+  return [];
 }
 
 function textOf(name: string, bytes: Uint8Array, kind: string): string {

@@ -1,11 +1,9 @@
-// Which of some files are a motion: a BVH, or an ASF with an AMC. The engine does the reading; here text is told from junk and
-// files are paired.
+// Which of some files are motions, each with its skeleton. The engine reads text; here it is told from junk, and files are paired.
 
 import type { MotionInput } from "../engine/types";
-import { baseName, decodeText, extension, type NamedFile } from "./named-file";
-
-export const MOTION_EXTENSIONS = ["bvh", "asf", "amc"] as const;
-export type MotionFormat = (typeof MOTION_EXTENSIONS)[number];
+import type { Format } from "./format";
+import { FORMATS, formatOf, motionFormat, type MotionSource } from "./formats";
+import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
 
 export interface FoundMotion {
   /** As a project names them: the skeleton first. */
@@ -19,52 +17,53 @@ export interface FoundMotions {
   problems: string[];
 }
 
-/** What a file is by what it says, else by its name; null if it is no motion. */
-export function motionFormat(file: NamedFile): MotionFormat | null {
-  const head = decodeText(file.bytes.subarray(0, 65536)) ?? "";
-  if (/^\s*HIERARCHY\b/i.test(head)) return "bvh";
-  if (/^[ \t]*:bonedata\b/im.test(head)) return "asf";
-  if (/^[ \t]*:(fully-specified|degrees|radians)\b/im.test(head)) return "amc";
-  return MOTION_EXTENSIONS.find((known) => known === extension(file.name)) ?? null;
-}
-
-/** All motions among `files`, in any order. An AMC takes the ASF whose name it begins with, else the first one. */
-export function findMotions(files: readonly NamedFile[]): FoundMotions {
+/** All motions among `files`, in any order. A motion takes the skeleton whose name its own begins with, else the first one. */
+export async function findMotions(files: readonly NamedFile[]): Promise<FoundMotions> {
   const motions: FoundMotion[] = [];
   const problems: string[] = [];
-  const texts = files.flatMap((file) => {
-    const format = motionFormat(file);
-    if (!format) return [];
-    const text = decodeText(file.bytes);
-    if (text !== null && text.trim() !== "") return [{ file, format, text }];
-    problems.push(
-      `${baseName(file.name)} ${text === null ? "is not text, so it is no" : "is empty, so it is no"} ${format.toUpperCase()} file.`,
-    );
-    return [];
-  });
-  const skeletons = texts.filter(({ format }) => format === "asf");
-  for (const { file, format, text } of texts) {
-    const name = baseName(file.name);
-    if (format === "bvh") {
-      motions.push({ files: [file.name], input: { format: "bvh", name, text } });
-    } else if (format === "amc") {
-      const skeleton = skeletons.find((asf) => name.startsWith(stem(asf.file.name))) ?? skeletons[0];
-      if (!skeleton) {
-        problems.push(`${name} needs its skeleton: drop the .asf with it.`);
-        continue;
-      }
-      motions.push({
-        files: [skeleton.file.name, file.name],
-        input: { format: "acclaim", skeletonName: baseName(skeleton.file.name), skeleton: skeleton.text, name, text },
-      });
+  const sources = files.flatMap((file) => sourceOf(file, problems));
+  const skeletons = sources.filter(({ format }) => format.kind === "skeleton");
+  for (const source of sources) {
+    const format = motionFormat(source.file);
+    if (!format) continue;
+    const own = skeletons.filter((other) => other.format.id === format.skeleton);
+    const skeleton = own.find((other) => source.name.startsWith(stem(other.name))) ?? own[0];
+    if (format.skeleton !== undefined && !skeleton) {
+      problems.push(`${source.name} needs its skeleton: drop the .${format.skeleton} with it.`);
+      continue;
+    }
+    const used = format.skeleton === undefined ? [source] : [skeleton, source];
+    try {
+      motions.push({ files: used.map(({ file }) => file.name), input: await format.read(source, skeleton ?? source) });
+    } catch (error) {
+      if (!(error instanceof ModelError)) throw error;
+      problems.push(error.message);
     }
   }
-  for (const { file } of skeletons) {
-    if (!motions.some((motion) => motion.files[0] === file.name)) {
-      problems.push(`${baseName(file.name)} is a skeleton without a motion: drop an .amc with it.`);
-    }
+  for (const { file, name, format } of skeletons) {
+    if (motions.some((motion) => motion.files[0] === file.name)) continue;
+    const needing = FORMATS.find((other) => "skeleton" in other && other.skeleton === format.id);
+    problems.push(`${name} is a skeleton without a motion: drop an .${needing?.id} with it.`);
   }
   return { motions, problems };
+}
+
+interface Source extends MotionSource {
+  readonly file: NamedFile;
+  readonly format: Format;
+}
+
+/** A motion's or a skeleton's file; none, with a problem, where it should be text and is not. */
+function sourceOf(file: NamedFile, problems: string[]): Source[] {
+  const format = formatOf(file);
+  if (format?.kind !== "motion" && format?.kind !== "skeleton") return [];
+  const name = baseName(file.name);
+  const { bytes } = file;
+  if ("binary" in format) return [{ file, name, bytes, format, text: "" }];
+  const text = decodeText(bytes);
+  if (text !== null && text.trim() !== "") return [{ file, name, bytes, format, text }];
+  problems.push(`${name} is ${text === null ? "not text" : "empty"}, so it is no ${format.words} file.`);
+  return [];
 }
 
 function stem(path: string): string {

@@ -3,8 +3,8 @@
 import type { ProjectDocument, Vec3 } from "../document/types";
 import { FPS } from "../engine/types";
 import { toWorld } from "../sync/placement";
-import { type SolverModel, stageFor } from "../sync/prepare";
-import type { Bake } from "./bake";
+import { type SolverModel, stageFor } from "../sync/placement";
+import type { Bake } from "../sync/bake";
 
 export interface Track {
   format: "rigless-track";

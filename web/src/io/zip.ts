@@ -3,6 +3,7 @@
 import { unzipSync, zipSync } from "fflate";
 
 import { DocumentError } from "../document/project";
+import { formatOf } from "./formats";
 import { baseName, type NamedFile } from "./named-file";
 
 /** Bytes that an archive may unpack to, all files together. */
@@ -10,7 +11,7 @@ const MOST_BYTES = 512 * 1024 * 1024;
 const MOST_FILES = 1000;
 
 export function isZip(file: NamedFile): boolean {
-  return [0x50, 0x4b, 0x03, 0x04].every((byte, i) => file.bytes[i] === byte);
+  return formatOf(file)?.kind === "archive";
 }
 
 /** Errors (DocumentError): broken; too large unpacked; a path that leads out. Folders and what systems leave behind are passed over. */

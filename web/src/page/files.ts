@@ -1,9 +1,13 @@
 import type { FileKind, FilesPort } from "../app/ports";
+import { accepted } from "../io/formats";
+
+const MODEL = ["model", "picture", "part"] as const;
+const MOTION = ["motion", "skeleton"] as const;
 
 const ACCEPT: Readonly<Record<FileKind, string>> = {
-  any: ".glb,.gltf,.bin,.obj,.mtl,.ply,.stl,.off,.png,.jpg,.jpeg,.webp,.bvh,.asf,.amc,.rigless,.zip,.json",
-  model: ".glb,.gltf,.bin,.obj,.mtl,.ply,.stl,.off,.png,.jpg,.jpeg,.webp",
-  motion: ".bvh,.asf,.amc",
+  any: accepted([...MODEL, ...MOTION, "project", "archive"]),
+  model: accepted(MODEL),
+  motion: accepted(MOTION),
 };
 
 export const files: FilesPort = {

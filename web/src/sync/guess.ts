@@ -5,8 +5,8 @@ import { STAGE_HEIGHT } from "../util/constants";
 import type { MeshRef, Point, ProjectDocument } from "../document/types";
 import type { BodyPart, BodyPoint, Joint, ShapeAnalysis } from "../engine/types";
 import { rolesToRecord } from "./pairing";
-import { stageFor } from "./prepare";
-import type { SolverModel } from "./prepare";
+import { stageFor } from "./placement";
+import type { SolverModel } from "./placement";
 
 export interface Guess {
   mesh: Pick<MeshRef, "facing" | "up">;

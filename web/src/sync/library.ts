@@ -1,5 +1,5 @@
 import type { MotionInput } from "../engine/types";
-import type { SolverModel } from "./prepare";
+import type { SolverModel } from "./placement";
 
 /** The models and motions that a document can name, by the names it uses. Undo may need any of them again. */
 export class Library {
@@ -40,9 +40,14 @@ export class Library {
   }
 }
 
+/** The texts of a motion's files, in the order in which a project names them. */
+export function motionTexts(motion: MotionInput): string[] {
+  return "skeleton" in motion ? [motion.skeleton, motion.text] : [motion.text];
+}
+
 function sameMotion(a: MotionInput, b: MotionInput): boolean {
-  if (a.text !== b.text || a.format !== b.format) return false;
-  return a.format === "bvh" || (b.format === "acclaim" && a.skeleton === b.skeleton);
+  const texts = motionTexts(b);
+  return a.format === b.format && motionTexts(a).every((text, k) => text === texts[k]);
 }
 
 /** "cow.obj" -> "cow 2.obj" if it is taken. */

@@ -1,4 +1,21 @@
+// Where a model stands: from its file to the stage, and from its own place there to the world.
+
+import { boundsOf, type Stage, stageOf } from "../document/stage";
+import type { MeshRef } from "../document/types";
 import type { Frame } from "../engine/types";
+
+/** What of a model the solver knows; file units and axes. */
+export interface SolverModel {
+  /** V x 3. */
+  readonly positions: Float32Array;
+  /** F x 3. */
+  readonly faces: Uint32Array;
+}
+
+/** The transform between the model's file and the stage. */
+export function stageFor(model: SolverModel, mesh: MeshRef): Stage {
+  return stageOf(boundsOf(model.positions), mesh.facing, mesh.up);
+}
 
 /** World position and yaw of the model's origin. */
 export type Root = Frame["root"];

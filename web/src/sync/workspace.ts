@@ -1,15 +1,14 @@
 // One document and one engine, kept in step: a change re-runs the least that lies behind it, the newest change wins, and a
 // lost engine is replaced and told everything again.
 
-import { clipOf } from "../document/clips";
 import type { ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { Engine, Frame, MeshReport, Motion, MotionInput, Performance, ShapeAnalysis } from "../engine/types";
+import type { CallOptions, Engine, Frame, MeshReport, Motion, Performance, ShapeAnalysis } from "../engine/types";
 import { Emitter } from "../util/emitter";
+import { Binding, type Parts, type TakenMesh, type TakenMotion } from "./binding";
 import { FrameCache } from "./frame-cache";
 import { Library } from "./library";
-import { controlInputs, meshInput, retargetInput } from "./prepare";
-import type { SolverModel } from "./prepare";
+import type { SolverModel } from "./placement";
 
 export interface WorkspaceEvents {
   /** The engine holds the document's mesh now. */
@@ -27,22 +26,11 @@ export interface WorkspaceEvents {
   recovered: void;
 }
 
-/** What the engine holds, by identity of the document's parts. */
-interface Bound {
-  model: SolverModel | null;
-  mesh: ProjectDocument["mesh"] | null;
-  points: string | null;
-  motion: MotionInput | null;
-  solved: readonly unknown[] | null;
-}
-
 /** What the engine says of a document that it took. */
 export interface Taken {
   report: MeshReport | null;
   motion: Motion | null;
 }
-
-const NOTHING: Bound = { model: null, mesh: null, points: null, motion: null, solved: null };
 
 export class Workspace extends Emitter<WorkspaceEvents> {
   readonly library = new Library();
@@ -50,11 +38,9 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   report: MeshReport | null = null;
   motion: Motion | null = null;
   performance: Performance | null = null;
-  private engine: Engine;
-  private bound: Bound = { ...NOTHING };
-  private boundReport: MeshReport | null = null;
-  private boundMotion: Motion | null = null;
-  private announced: Bound = { ...NOTHING };
+  private binding: Binding;
+  /** What of the binding the listeners were told. */
+  private told: { mesh: TakenMesh | null; motion: TakenMotion | null } = { mesh: null, motion: null };
   private chain: Promise<void> = Promise.resolve();
   private queued = false;
   private abort = new AbortController();
@@ -70,12 +56,12 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     private readonly createEngine: () => Engine,
   ) {
     super();
-    this.engine = createEngine();
+    this.binding = new Binding(createEngine());
   }
 
   /** The model that was told last. */
   get model(): SolverModel | null {
-    return this.announced.model;
+    return this.told.mesh?.model ?? null;
   }
 
   /** Brings the engine to the present document. Resolves when that or a newer document has been solved and baked. */
@@ -98,8 +84,10 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   tryOn(candidate: ProjectDocument, signal?: AbortSignal, onProgress?: (done: number) => void): Promise<Taken> {
     this.abort.abort();
     const result = this.chain.then(async () => {
-      await this.recovering(() => this.bind(candidate, signal, onProgress));
-      return { report: this.boundReport, motion: this.boundMotion };
+      const call = (): CallOptions => ({ ...(signal && { signal }), ...(onProgress && { onProgress }) });
+      await this.recovering(() => this.binding.take(candidate, this.partsOf(candidate), call));
+      const { mesh, motion } = this.binding;
+      return { report: mesh?.report ?? null, motion: motion?.motion ?? null };
     });
     this.chain = result.then(
       () => undefined,
@@ -110,12 +98,12 @@ export class Workspace extends Emitter<WorkspaceEvents> {
 
   /** What a model says of itself, in its file's axes and units. Rejects with EngineError: bad_mesh, engine_lost. */
   analyseShape({ positions, faces }: SolverModel): Promise<ShapeAnalysis> {
-    return this.engine.analyseShape({ positions, faces });
+    return this.binding.engine.analyseShape({ positions, faces });
   }
 
   /** Deforms body-locally towards C x 3 targets. Rejects with "superseded" when a newer drag overtakes it. */
   drag(targets: Float32Array, restart: boolean): Promise<Frame> {
-    return this.engine.drag(targets, { volume: this.document().settings.volume, restart });
+    return this.binding.engine.drag(targets, { volume: this.document().settings.volume, restart });
   }
 
   /** Where the playhead is: missing frames are made in the order in which it meets them. */
@@ -139,7 +127,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   close(): void {
     this.closed = true;
     this.abort.abort();
-    this.engine.close();
+    this.binding.engine.close();
   }
 
   private async run(): Promise<void> {
@@ -163,66 +151,45 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       await work();
     } catch (error) {
       if (!(error instanceof EngineError) || error.code !== "engine_lost" || this.closed) throw error;
-      this.engine.close();
-      this.engine = this.createEngine();
-      this.bound = { ...NOTHING };
+      this.binding.engine.close();
+      this.binding = new Binding(this.createEngine());
       await work();
       this.emit("recovered", undefined);
     }
   }
 
   private async step(document: ProjectDocument, signal: AbortSignal): Promise<void> {
-    await this.bind(document, signal);
+    await this.binding.take(document, this.partsOf(document), () => ({ signal }));
     this.announce();
     await this.solve(document, signal);
     await this.bake(signal);
   }
 
-  private async bind(document: ProjectDocument, signal?: AbortSignal, onProgress?: (done: number) => void): Promise<void> {
-    const options = { ...(signal ? { signal } : {}), ...(onProgress ? { onProgress } : {}) };
-    const { bound } = this;
-    const model = this.library.model(document.mesh.file);
-    if (!model) return;
-    if (bound.model !== model || bound.mesh?.facing !== document.mesh.facing || bound.mesh?.up !== document.mesh.up) {
-      const report = await this.engine.setMesh(meshInput(model, document.mesh), options);
-      Object.assign(bound, { model, mesh: document.mesh, points: null, solved: null });
-      this.boundReport = report;
-    }
-    const controls = controlInputs(model, document);
-    const key = JSON.stringify(controls);
-    if (bound.points !== key && controls.length > 0) {
-      await this.engine.setControls(controls, options);
-      Object.assign(bound, { points: key, solved: null });
-    }
-    const motion = this.library.motion(document.motion.files);
-    if (motion && bound.motion !== motion) {
-      this.boundMotion = await this.engine.setMotion(motion, options);
-      Object.assign(bound, { motion, solved: null });
-    }
+  private partsOf({ mesh, motion }: ProjectDocument): Parts {
+    return { model: this.library.model(mesh.file), motion: this.library.motion(motion.files) };
   }
 
   /** Tells what has changed in the engine since the last time, once its document is the present one. */
   private announce(): void {
-    const { bound, announced } = this;
-    const turned = announced.mesh?.facing !== bound.mesh?.facing || announced.mesh?.up !== bound.mesh?.up;
-    if (bound.model && this.boundReport && (announced.model !== bound.model || turned)) {
-      this.report = this.boundReport;
-      this.announced = { ...announced, model: bound.model, mesh: bound.mesh };
+    const { told } = this;
+    const { mesh, motion } = this.binding;
+    this.told = { mesh, motion };
+    const turned = told.mesh?.mesh.facing !== mesh?.mesh.facing || told.mesh?.mesh.up !== mesh?.mesh.up;
+    if (mesh && (told.mesh?.model !== mesh.model || turned)) {
+      this.report = mesh.report;
       this.cache.clear();
       this.performance = null;
       this.emit("mesh", this.report);
     }
-    if (bound.motion && this.boundMotion && announced.motion !== bound.motion) {
-      this.motion = this.boundMotion;
+    if (motion && told.motion?.input !== motion.input) {
+      this.motion = motion.motion;
       this.emit("motion", this.motion);
     }
-    this.announced = { ...bound };
   }
 
   private async solve(document: ProjectDocument, signal: AbortSignal): Promise<void> {
-    const { bound, motion } = this;
-    const model = this.library.model(document.mesh.file);
-    if (!model || !motion || document.points.length === 0) {
+    const { model } = this.partsOf(document);
+    if (!model || !this.motion || document.points.length === 0) {
       if (this.performance) {
         this.performance = null;
         this.cache.clear();
@@ -230,15 +197,12 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       }
       return;
     }
-    const solved = [document.points, document.examples, document.settings, clipOf(document)] as const;
-    if (this.performance && bound.solved?.every((part, k) => part === solved[k])) return;
+    if (this.performance && this.binding.isSolved(document)) return;
     if (signal.aborted) throw new EngineError("cancelled", "Cancelled.");
     this.interruptible = false;
-    const performance = await this.engine.retarget(retargetInput(model, document, motion));
-    bound.solved = solved;
-    this.performance = performance;
-    this.cache.expire(performance.frames);
-    this.emit("performance", performance);
+    this.performance = await this.binding.solve(document);
+    this.cache.expire(this.performance.frames);
+    this.emit("performance", this.performance);
   }
 
   private async bake(signal: AbortSignal): Promise<void> {
@@ -253,6 +217,6 @@ export class Workspace extends Emitter<WorkspaceEvents> {
         if (this.queued || this.held) this.abort.abort();
       }
     };
-    await this.engine.frames(this.cache.todo(this.focusFrame), onFrame, { signal });
+    await this.binding.frames(this.cache.todo(this.focusFrame), onFrame, () => ({ signal }));
   }
 }

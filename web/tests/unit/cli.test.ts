@@ -9,6 +9,7 @@ import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from "vite
 import { build } from "vite";
 
 import { version } from "../../package.json";
+import { FORMATS } from "../../src/io/formats";
 import { saveProject } from "../../src/io/project-file";
 import { parseProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
@@ -300,6 +301,7 @@ describe("what cannot be done", () => {
     expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--every", "0")).toBe(
       '--every should be a whole number from 1, but it is "0".',
     );
+    expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--profile", "no")).toBe('--profile should be morph, but it is "no".');
     expect(await refused({}, "bake", "a.json", "b.json", "--out", "a.glb")).toBe('bake takes one project; "b.json" is too much.');
     expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe(
       "bake needs a motion too: rigless bake a.obj motion.bvh --out dance.glb",
@@ -329,4 +331,10 @@ it("knows its version and tells what it can do", async () => {
   const help = await rigless("--help");
   expect(help.code).toBe(0);
   for (const word of ["bake", "--out", "--track", "--every", "--quiet", "--help", "--version"]) expect(help.stdout).toContain(word);
+  const verbs = readdirSync(join(web, "cli/verbs")).map((file) => file.replace(".ts", ""));
+  for (const verb of verbs) {
+    expect(help.stdout).toContain(`\n  rigless ${verb} <`);
+    expect((await rigless(verb, "--help")).stdout).toContain(`\n  rigless ${verb} <`);
+  }
+  for (const { kind, words } of FORMATS) if (kind === "model" || kind === "motion") expect(help.stdout).toContain(words);
 });

@@ -17,9 +17,9 @@ const AMC = "#!OML:ASF walk.asf\n:FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0\n";
 const junk = (name: string): NamedFile => ({ name, bytes: Uint8Array.from([1, 0, 2, 0, 255]) });
 const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
 
-function refusal(act: () => unknown): string {
+async function refusal(act: () => unknown): Promise<string> {
   try {
-    act();
+    await act();
   } catch (error) {
     expect(error).toBeInstanceOf(DocumentError);
     return (error as DocumentError).message;
@@ -28,7 +28,7 @@ function refusal(act: () => unknown): string {
 }
 
 describe("motions among files", () => {
-  it("pairs ASF and AMC in either order, each AMC with the skeleton of its name", () => {
+  it("pairs ASF and AMC in either order, each AMC with the skeleton of its name", async () => {
     const files = [
       textFile("07_05.amc", AMC),
       textFile("02.asf", ASF),
@@ -36,24 +36,29 @@ describe("motions among files", () => {
       textFile("07.asf", ASF),
       textFile("hop.bvh", BVH),
     ];
-    const { motions, problems } = findMotions(files);
+    const { motions, problems } = await findMotions(files);
     expect(problems).toEqual([]);
     expect(motions.map((motion) => motion.files)).toEqual([["07.asf", "07_05.amc"], ["02.asf", "a/02_01.amc"], ["hop.bvh"]]);
     expect(motions[1].input).toEqual({ format: "acclaim", skeletonName: "02.asf", skeleton: ASF, name: "02_01.amc", text: AMC });
     expect(motions[2].input).toEqual({ format: "bvh", name: "hop.bvh", text: BVH });
   });
 
-  it("says what is missing", () => {
-    expect(findMotions([textFile("02_01.amc", AMC)]).problems).toEqual(["02_01.amc needs its skeleton: drop the .asf with it."]);
-    expect(findMotions([textFile("02.asf", ASF)]).problems).toEqual(["02.asf is a skeleton without a motion: drop an .amc with it."]);
-    expect(findMotions([junk("hop.bvh")])).toEqual({ motions: [], problems: ["hop.bvh is not text, so it is no BVH file."] });
-    expect(findMotions([textFile("hop.bvh", " \n")])).toEqual({ motions: [], problems: ["hop.bvh is empty, so it is no BVH file."] });
+  it("says what is missing", async () => {
+    expect((await findMotions([textFile("02_01.amc", AMC)])).problems).toEqual(["02_01.amc needs its skeleton: drop the .asf with it."]);
+    expect((await findMotions([textFile("02.asf", ASF)])).problems).toEqual([
+      "02.asf is a skeleton without a motion: drop an .amc with it.",
+    ]);
+    expect(await findMotions([junk("hop.bvh")])).toEqual({ motions: [], problems: ["hop.bvh is not text, so it is no BVH file."] });
+    expect(await findMotions([textFile("hop.bvh", " \n")])).toEqual({ motions: [], problems: ["hop.bvh is empty, so it is no BVH file."] });
   });
 
-  it("goes by what a file says before its name, and reads UTF-16", () => {
+  it("goes by what a file says before its name, and reads UTF-16", async () => {
     const wide = Uint8Array.from([0xff, 0xfe, ...[...BVH].flatMap((letter) => [letter.charCodeAt(0), 0])]);
     expect(
-      findMotions([textFile("hop.txt", BVH), { name: "wide.bvh", bytes: wide }]).motions.map(({ input }) => [input.format, input.text]),
+      (await findMotions([textFile("hop.txt", BVH), { name: "wide.bvh", bytes: wide }])).motions.map(({ input }) => [
+        input.format,
+        input.text,
+      ]),
     ).toEqual([
       ["bvh", BVH],
       ["bvh", BVH],
@@ -63,9 +68,9 @@ describe("motions among files", () => {
 });
 
 describe("one drop of many files", () => {
-  it("is sorted, and what is unknown is named", () => {
+  it("is sorted, and what is unknown is named", async () => {
     const inner = zipSync({ "dance/hop.bvh": new TextEncoder().encode(BVH), "__MACOSX/x": PNG, "dance/.DS_Store": PNG });
-    const sorted = sortFiles([
+    const sorted = await sortFiles([
       textFile("cow.obj", TETRAHEDRON),
       { name: "cow.png", bytes: PNG },
       textFile("cow.mtl", ""),
@@ -79,12 +84,12 @@ describe("one drop of many files", () => {
     expect(sorted.files.map((file) => file.name)).toEqual(["cow.obj", "cow.png", "cow.mtl", "dance/hop.bvh", "letter.docx", "02_01.amc"]);
     expect(sorted.problems).toEqual([
       "02_01.amc needs its skeleton: drop the .asf with it.",
-      "letter.docx is nothing that Rigless opens. Models: OBJ, PLY, STL, GLB, glTF, OFF. Motions: BVH, ASF with AMC.",
+      "letter.docx is nothing that Rigless opens. Models: OBJ, OFF, PLY, STL, glTF, GLB. Motions: BVH, ASF with AMC.",
     ]);
   });
 
-  it("a picture alone belongs to a model", () => {
-    expect(sortFiles([{ name: "cow.png", bytes: PNG }]).problems).toEqual(["cow.png belongs to a model: drop both together."]);
+  it("a picture alone belongs to a model", async () => {
+    expect((await sortFiles([{ name: "cow.png", bytes: PNG }])).problems).toEqual(["cow.png belongs to a model: drop both together."]);
   });
 });
 
@@ -92,9 +97,9 @@ describe("project files", () => {
   const document = newDocument("my: cow", { file: "cow.obj", facing: "+x", up: "+y" }, { files: ["02.asf", "02_01.amc"] });
   const files = [textFile("cow.obj", TETRAHEDRON), textFile("02.asf", ASF), textFile("02_01.amc", AMC), { name: "cow.png", bytes: PNG }];
 
-  it("come back as they went, and the same project gives the same bytes", () => {
+  it("come back as they went, and the same project gives the same bytes", async () => {
     const saved = saveProject(document, files);
-    const opened = openProject([{ name: "cow.rigless", bytes: saved }]);
+    const opened = await openProject([{ name: "cow.rigless", bytes: saved }]);
     expect(opened.document).toEqual(document);
     expect(opened.modelFiles[0].name).toBe("cow.obj");
     expect(text(opened.modelFiles[0].bytes)).toBe(TETRAHEDRON);
@@ -104,15 +109,15 @@ describe("project files", () => {
     expect(projectFileName(document)).toBe("my cow.rigless");
   });
 
-  it("opens project.json among its files, in a folder too", () => {
+  it("opens project.json among its files, in a folder too", async () => {
     const loose = [
       textFile("a/project.json", serializeProject(document)),
       ...files.map(({ name, bytes }) => ({ name: `a/${name}`, bytes })),
     ];
-    expect(openProject(loose).modelFiles[0].name).toBe("a/cow.obj");
+    expect((await openProject(loose)).modelFiles[0].name).toBe("a/cow.obj");
   });
 
-  it("never names a file outside itself", () => {
+  it("never names a file outside itself", async () => {
     const outside = { ...document, mesh: { ...document.mesh, file: "../models/cow.obj" } };
     const saved = saveProject(outside, [{ ...files[0], name: "../models/cow.obj" }, ...files.slice(1)]);
     expect(unzip({ name: "x.rigless", bytes: saved }).map((file) => file.name)).toEqual([
@@ -122,50 +127,56 @@ describe("project files", () => {
       "02_01.amc",
       "cow.png",
     ]);
-    expect(openProject([{ name: "x.rigless", bytes: saved }]).document.mesh.file).toBe("models/cow.obj");
+    expect((await openProject([{ name: "x.rigless", bytes: saved }])).document.mesh.file).toBe("models/cow.obj");
   });
 
-  it("say what is missing", () => {
-    expect(refusal(() => saveProject(document, files.slice(1)))).toBe("The project names cow.obj, which is not with it.");
+  it("say what is missing", async () => {
+    expect(await refusal(() => saveProject(document, files.slice(1)))).toBe("The project names cow.obj, which is not with it.");
     const json = textFile("project.json", serializeProject(document));
-    expect(refusal(() => openProject([json, files[0], files[1]]))).toBe("project.json names 02_01.amc, which is not with it.");
-    expect(refusal(() => openProject([files[0]]))).toBe("cow.obj holds no project.json.");
+    expect(await refusal(async () => await openProject([json, files[0], files[1]]))).toBe(
+      "project.json names 02_01.amc, which is not with it.",
+    );
+    expect(await refusal(async () => await openProject([files[0]]))).toBe("cow.obj holds no project.json.");
     const noModel = textFile("project.json", serializeProject({ ...document, mesh: { ...document.mesh, file: "02.asf" } }));
-    expect(refusal(() => openProject([noModel, ...files]))).toBe(
-      "project.json names 02.asf, which is no model (OBJ, PLY, STL, GLB, glTF, OFF).",
+    expect(await refusal(async () => await openProject([noModel, ...files]))).toBe(
+      "project.json names 02.asf, which is no model (OBJ, OFF, PLY, STL, glTF, GLB).",
     );
     const two = textFile("project.json", serializeProject({ ...document, motion: { files: ["02.asf"] } }));
-    expect(refusal(() => openProject([two, ...files]))).toBe("project.json: 02.asf is a skeleton without a motion: drop an .amc with it.");
+    expect(await refusal(async () => await openProject([two, ...files]))).toBe(
+      "project.json: 02.asf is a skeleton without a motion: drop an .amc with it.",
+    );
   });
 });
 
 describe("zips from strangers", () => {
-  it.each(["../evil.obj", "a/../../evil.obj", "/etc/evil.obj", "C:\\evil.obj", "..\\evil.obj"])("%s does not get out", (path) => {
+  it.each(["../evil.obj", "a/../../evil.obj", "/etc/evil.obj", "C:\\evil.obj", "..\\evil.obj"])("%s does not get out", async (path) => {
     const evil = { name: "evil.zip", bytes: zipSync({ [path]: PNG }) };
-    expect(refusal(() => unzip(evil))).toContain("evil.zip holds a file whose path leads out of it");
+    expect(await refusal(() => unzip(evil))).toContain("evil.zip holds a file whose path leads out of it");
   });
 
-  it("a bomb is not unpacked", () => {
+  it("a bomb is not unpacked", async () => {
     const bomb = zipSync({ "a.obj": new Uint8Array(1e6) });
     const view = new DataView(bomb.buffer);
     const central = view.getUint32(bomb.length - 6, true);
     view.setUint32(central + 24, 600e6, true); // what it says it holds
-    expect(refusal(() => unzip({ name: "bomb.zip", bytes: bomb }))).toBe("bomb.zip would unpack to more than 512 MB. We did not open it.");
+    expect(await refusal(() => unzip({ name: "bomb.zip", bytes: bomb }))).toBe(
+      "bomb.zip would unpack to more than 512 MB. We did not open it.",
+    );
     view.setUint32(central + 24, 10, true); // a lie: no more than that is written
     expect(unzip({ name: "bomb.zip", bytes: bomb })[0].bytes.length).toBe(10);
     const many = zipSync(Object.fromEntries(Array.from({ length: 1001 }, (_, n) => [`${n}.obj`, new Uint8Array(0)])));
-    expect(refusal(() => unzip({ name: "many.zip", bytes: many }))).toBe(
+    expect(await refusal(() => unzip({ name: "many.zip", bytes: many }))).toBe(
       "many.zip would unpack to more than 1,000 files. We did not open it.",
     );
   });
 
-  it("one that is cut short is named", () => {
+  it("one that is cut short is named", async () => {
     const whole = zip([textFile("a.obj", TETRAHEDRON)]);
-    expect(refusal(() => unzip({ name: "cut.zip", bytes: whole.subarray(0, 60) }))).toMatch(/^cut\.zip is a broken zip: /);
+    expect(await refusal(() => unzip({ name: "cut.zip", bytes: whole.subarray(0, 60) }))).toMatch(/^cut\.zip is a broken zip: /);
   });
 });
 
-it("finds a file by its path seen from another, else by its name", () => {
+it("finds a file by its path seen from another, else by its name", async () => {
   const files = [textFile("a/b/cow.obj", ""), textFile("a/Wood.PNG", ""), textFile("cow.obj", "")];
   expect(findFile(files, "cow.obj", "a/b/project.json")).toBe(files[0]);
   expect(findFile(files, "./cow.obj")).toBe(files[2]);

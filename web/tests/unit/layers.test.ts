@@ -7,7 +7,7 @@ import { expect, test } from "vitest";
 const web = join(import.meta.dirname, "../..");
 const run = promisify(execFile);
 
-// util, skeleton, document, engine <- sync <- io, viewport <- app <- ui. What each directory of src may import besides itself.
+// util, skeleton, document, engine <- sync <- io, viewport <- app <- ui; package, what import "rigless" gives, stands on io. What each directory of src may import besides itself.
 const base = ["util", "skeleton", "document", "engine"];
 const below: Record<string, string[]> = {
   util: [],
@@ -17,6 +17,7 @@ const below: Record<string, string[]> = {
   document: ["util"],
   sync: base,
   io: [...base, "sync"],
+  package: [...base, "sync", "io"],
   viewport: ["util", "skeleton", "document", "stage"],
   app: [...base, "stage", "sync", "io"],
   page: ["app", "engine", "io", "assets"],

@@ -1,5 +1,6 @@
 import { css, html, LitElement } from "lit";
 import { customElement } from "lit/decorators.js";
+import { TAKEN } from "../../app/file-words";
 import { icon } from "../icons";
 import { base } from "../styles";
 
@@ -28,7 +29,7 @@ export class DropOverlay extends LitElement {
   protected override render() {
     return html`<div class="drop"></div>
       <div class="words"><h2>Drop it anywhere.</h2><p>Models, motions, projects: all at once, in any order.</p></div>
-      <div class="card left">${icon("file")}<span><b>A model</b><span>GLB OBJ PLY STL OFF</span></span></div>
-      <div class="card right">${icon("file")}<span><b>A motion</b><span>BVH, ASF with AMC</span></span></div>`;
+      <div class="card left">${icon("file")}<span><b>A model</b><span>${TAKEN.models}</span></span></div>
+      <div class="card right">${icon("file")}<span><b>A motion</b><span>${TAKEN.motions}</span></span></div>`;
   }
 }

@@ -4,16 +4,9 @@ import { addExample, addPoint, newDocument } from "../../src/document/commands";
 import { pointFromStage } from "../../src/document/stage";
 import type { ProjectDocument } from "../../src/document/types";
 import { readModel } from "../../src/io/read-model";
-import {
-  controlInputs,
-  exampleControls,
-  meshInput,
-  pointsOfControls,
-  pointVertices,
-  restControls,
-  retargetInput,
-  stageFor,
-} from "../../src/sync/prepare";
+import { stageFor } from "../../src/sync/placement";
+import { exampleControls, pointsOfControls, pointVertices, restControls } from "../../src/sync/point-controls";
+import { controlInputs, meshInput, retargetInput } from "../../src/sync/translate";
 import { namedJoints } from "../support/joints";
 import { TETRAHEDRON, textFile } from "../support/files";
 

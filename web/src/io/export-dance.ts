@@ -1,0 +1,48 @@
+// The one path from a dance's frames to a file.
+
+import type { MeshRef } from "../document/types";
+import { stageFor } from "../sync/placement";
+import { meshInput } from "../sync/translate";
+import type { Model } from "./model";
+import { ModelError } from "./named-file";
+import type { Profile } from "./profile";
+import { PROFILES } from "./profiles";
+import { keptFrames } from "./write-glb";
+
+/** A larger file cannot be made in one piece, nor opened. */
+const MOST_BYTES = 2 ** 31;
+
+export interface Dance {
+  readonly name: string;
+  readonly model: Model;
+  readonly mesh: MeshRef;
+  /** V x 3 each, world stage metres. */
+  readonly frames: readonly { readonly positions: Float32Array }[];
+}
+
+/** Every `every`-th frame and the last one are kept. Errors (ModelError): the file would be too large. */
+export async function exportDance(
+  { name, model, mesh, frames }: Dance,
+  every: number,
+  profile: Profile = PROFILES[0],
+): Promise<Uint8Array<ArrayBuffer>> {
+  const tooLarge = sizeFault(model, frames.length, every, profile);
+  if (tooLarge) throw new ModelError(`${name}.${profile.extension} ${tooLarge.text}.`);
+  const rest = meshInput(model, mesh).positions;
+  const scale = 1 / stageFor(model, mesh).scale;
+  return profile.write({ name, drawn: model.drawn, faces: model.faces, rest, frames, scale, every });
+}
+
+/** The least step with which every viewer takes a dance of so many frames. */
+export function everyFor(frames: number, { mostKept }: Profile = PROFILES[0]): number {
+  return mostKept === null ? 1 : Math.max(1, Math.ceil((frames - 1) / (mostKept - 1)));
+}
+
+/** Null where the file is of a size that can be made; else what to say, and the least step that makes it so. */
+export function sizeFault(model: Model, frames: number, every: number, profile: Profile): { text: string; every: number } | null {
+  const bytes = (k: number): number => profile.bytes(model.drawn.toVertex.length, keptFrames(frames, k).length);
+  if (bytes(every) <= MOST_BYTES) return null;
+  let enough = every;
+  while (enough < frames && bytes(enough) > MOST_BYTES) enough++;
+  return { text: `would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a ${profile.extension.toUpperCase()} can`, every: enough };
+}

@@ -1,0 +1,7 @@
+// The kinds of file that a dance is exported as: one row each. A new one is a file in profiles/ and a row here.
+
+import type { Profile } from "./profile";
+import { morphTargets } from "./profiles/morph-targets";
+
+/** The usual one first. */
+export const PROFILES: readonly [Profile, ...Profile[]] = [morphTargets];

@@ -1,0 +1,13 @@
+import { glbBytes, writeGlb } from "../write-glb";
+import type { Profile } from "../profile";
+
+/** Core glTF 2.0, which every viewer reads. */
+export const morphTargets: Profile = {
+  id: "morph",
+  words: "one morph target per kept frame",
+  extension: "glb",
+  // Viewers on WebGL 2 keep morph targets as layers of one texture, and 256 layers are all that the standard promises.
+  mostKept: 256,
+  bytes: glbBytes,
+  write: writeGlb,
+};

@@ -1,0 +1,103 @@
+// The one path from a document to frames: which part of the document each call to the engine depends on. What the engine holds
+// already is not told again.
+
+import { clipOf } from "../document/clips";
+import type { ProjectDocument } from "../document/types";
+import { EngineError } from "../engine/types";
+import type { CallOptions, Engine, Frame, MeshReport, Motion, MotionInput, Performance } from "../engine/types";
+import type { SolverModel } from "./placement";
+import { controlInputs, meshInput, retargetInput } from "./translate";
+
+/** The options of a call, by what it does in plain words. */
+export type CallFor = (step: string) => CallOptions;
+
+const QUIETLY: CallFor = () => ({});
+
+/** What a document names. */
+export interface Parts {
+  readonly model: SolverModel | undefined;
+  readonly motion: MotionInput | undefined;
+}
+
+/** What an engine says of a mesh that it took. */
+export interface TakenMesh {
+  readonly model: SolverModel;
+  readonly mesh: ProjectDocument["mesh"];
+  readonly report: MeshReport;
+}
+
+export interface TakenMotion {
+  readonly input: MotionInput;
+  readonly motion: Motion;
+}
+
+/** An engine and what it holds of a document. On failure (EngineError) it holds what it held before that call. */
+export class Binding {
+  mesh: TakenMesh | null = null;
+  motion: TakenMotion | null = null;
+  private points: string | null = null;
+  private solved: readonly unknown[] | null = null;
+
+  constructor(readonly engine: Engine) {}
+
+  /** Mesh, points and motion, as far as the document has them: bad_mesh, bad_controls, bad_motion, cancelled. */
+  async take(document: ProjectDocument, { model, motion }: Parts, call: CallFor = QUIETLY): Promise<void> {
+    if (!model) return;
+    await this.takeMesh(document, model, call);
+    await this.takePoints(document, model, call);
+    if (motion) await this.takeMotion(motion, call);
+  }
+
+  async takeMotion(input: MotionInput, call: CallFor = QUIETLY): Promise<Motion> {
+    if (this.motion?.input !== input) {
+      const motion = await this.engine.setMotion(input, call("Reading the motion"));
+      this.motion = { input, motion };
+      this.solved = null;
+    }
+    return this.motion.motion;
+  }
+
+  /** Whether the dance of this document was solved last. */
+  isSolved(document: ProjectDocument): boolean {
+    const parts = solvedParts(document);
+    return this.solved?.every((part, k) => part === parts[k]) ?? false;
+  }
+
+  /** The dance of a document that was taken: bad_controls, bad_motion, bad_examples, cancelled. */
+  async solve(document: ProjectDocument, call: CallFor = QUIETLY): Promise<Performance> {
+    const { mesh, motion } = this;
+    if (!mesh) throw new EngineError("bad_mesh", "There is no model yet.");
+    if (!motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
+    const performance = await this.engine.retarget(retargetInput(mesh.model, document, motion.motion), call("Solving"));
+    this.solved = solvedParts(document);
+    return performance;
+  }
+
+  /** Frames of the dance that was solved last, in this order, as each is ready. */
+  frames(order: ArrayLike<number>, onFrame: (index: number, frame: Frame) => void, call: CallFor = QUIETLY): Promise<void> {
+    return this.engine.frames(order, onFrame, call("Deforming"));
+  }
+
+  private async takeMesh({ mesh }: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {
+    const held = this.mesh;
+    if (held?.model === model && held.mesh.facing === mesh.facing && held.mesh.up === mesh.up) return;
+    const report = await this.engine.setMesh(meshInput(model, mesh), call("Binding the model"));
+    this.mesh = { model, mesh, report };
+    this.points = null;
+    this.solved = null;
+  }
+
+  private async takePoints(document: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {
+    const controls = controlInputs(model, document);
+    const key = JSON.stringify(controls);
+    if (this.points === key || controls.length === 0) return;
+    await this.engine.setControls(controls, call("Binding the points"));
+    this.points = key;
+    this.solved = null;
+  }
+}
+
+/** What a dance depends on besides mesh and motion, by identity: the document is immutable. */
+function solvedParts(document: ProjectDocument): readonly unknown[] {
+  return [document.points, document.examples, document.settings, clipOf(document)];
+}

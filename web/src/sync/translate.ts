@@ -1,0 +1,66 @@
+// What a document asks of the engine, part by part: each setting, pin and run of the document is translated here and nowhere
+// else. Pure.
+
+import { clipOf } from "../document/clips";
+import { pointToStage, toStage } from "../document/stage";
+import type { Clip, MeshRef, Pin, ProjectDocument } from "../document/types";
+import type { ConstraintInput, ContactInput, ControlInput, MeshInput, Motion, RetargetInput } from "../engine/types";
+import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
+import { exampleJoints, pointJoints } from "./pairing";
+import { type SolverModel, stageFor } from "./placement";
+import { exampleControls, own, pointPartners, pointVertices } from "./point-controls";
+
+export function meshInput(model: SolverModel, mesh: MeshRef): MeshInput {
+  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces };
+}
+
+export function controlInputs(model: SolverModel, document: Pick<ProjectDocument, "points">): ControlInput[] {
+  return pointVertices(model, document.points).map((vertex, c) => ({
+    vertex,
+    radius: (document.points[c].radius ?? DEFAULT_RADIUS) * STAGE_HEIGHT,
+  }));
+}
+
+export function retargetInput(model: SolverModel, document: ProjectDocument, motion: Pick<Motion, "joints" | "frames">): RetargetInput {
+  const { smoothness, volume, groundContact, inPlace, symmetry } = document.settings;
+  const clip = clipOf(document);
+  const known = exampleJoints(document, motion);
+  return {
+    pairs: pointJoints(document, motion),
+    examples: document.examples.flatMap((example, n) => {
+      const joints = known[n];
+      return joints ? [{ joints, controls: exampleControls(model, document, example) }] : [];
+    }),
+    smoothness,
+    volume,
+    groundContact,
+    inPlace,
+    constraints: pinsWithin(clip, motion.frames).map((pin) => constraintOf(model, document, pin)),
+    contacts: contactInputs(document, clip, motion.frames),
+    flights: clip.flights ? within(clip.flights, motion.frames - 1) : null,
+    mirror: symmetry ? pointPartners(document.points) : null,
+  };
+}
+
+/** The pins that the solver is asked to keep, in its order. A clip may be shorter than the one that they were made on. */
+export function pinsWithin({ pins = [] }: Clip, frames: number): readonly Pin[] {
+  return pins.filter(({ frame }) => frame < frames);
+}
+
+function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, frame, position }: Pin): ConstraintInput {
+  const control = document.points.findIndex(({ id }) => id === point);
+  if (kind === "still" || !position) return { kind: "still", control, frame };
+  return { kind: "position", control, frame, value: [...pointToStage(stageFor(model, document.mesh), position)] };
+}
+
+function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts = {} }: Clip, frames: number): ContactInput[] {
+  return points.flatMap(({ id }, control) => {
+    const runs = own(contacts, id);
+    return runs ? [{ control, runs: within(runs, frames) }] : [];
+  });
+}
+
+/** Runs as far as they lie in a clip whose last frame may be `end`. */
+function within(runs: readonly (readonly [number, number])[], end: number): [number, number][] {
+  return runs.map(([a, b]): [number, number] => [a, Math.min(b, end)]).filter(([a, b]) => a < b);
+}
