@@ -98,13 +98,13 @@ export class Scenery {
     const { model, human } = this;
     const both = model.width > 0 && human.width > 0;
     const side = both && !this.overlay;
-    const places = lanes(human.width, model.width);
-    human.xGoal = side ? places.human : 0;
-    model.xGoal = side ? places.model : 0;
+    const beside = lanes(human.width, model.width);
+    human.xGoal = side ? beside.human : 0;
+    model.xGoal = side ? beside.model : 0;
     const [from, to] = [human.traveller.ground, model.traveller.ground];
     const apart = side ? Math.abs(from.x - to.x) : 0;
     const behind = side ? Math.abs(from.y - to.y) : 0;
-    const width = (side ? places.width : Math.max(human.width, model.width, 1)) + apart;
+    const width = (side ? beside.width : Math.max(human.width, model.width, 1)) + apart;
     const height = Math.max(PERSON_HEIGHT, model.top, human.top) + HEADROOM;
     this.content = { width, height, depth: 1 + behind };
     this.lights.fitShadow(width + 0.8, height + 0.4, 2.2 + behind);

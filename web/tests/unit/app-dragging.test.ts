@@ -1,7 +1,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { Dragging } from "../../src/app/dragging";
 import type { Dropped } from "../../src/app/dragging";
-import { pointPartners, restControls } from "../../src/sync/prepare";
+import { pointPartners, restControls } from "../../src/sync/point-controls";
 import { toWorld } from "../../src/sync/placement";
 import { dancingContext, listen } from "./app-support";
 

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { Dragging } from "../../src/app/dragging";
 import { Pins } from "../../src/app/pins";
-import { pointsOfControls } from "../../src/sync/prepare";
+import { pointsOfControls } from "../../src/sync/point-controls";
 import { danced, dancingContext, said } from "./app-support";
 
 async function pinning() {

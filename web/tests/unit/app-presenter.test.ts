@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { setSettings } from "../../src/document/commands";
 import { toStage } from "../../src/document/stage";
-import { stageFor } from "../../src/sync/prepare";
+import { stageFor } from "../../src/sync/placement";
 import { danced, dancingSession } from "./app-support";
 
 test("a stage is shown everything: model, human, dots and the frame", async () => {

@@ -10,7 +10,7 @@ test("a project is downloaded with everything it names, and is saved then", asyn
   expect(session.history.saved).toBe(true);
   const [{ name, bytes, type }] = ports.downloads;
   expect([name, type]).toEqual(["Disco 2.rigless", "application/zip"]);
-  const opened = openProject([{ name, bytes }]);
+  const opened = await openProject([{ name, bytes }]);
   expect(opened.document).toEqual(session.document);
   expect(opened.motion.text).toContain("Frames: 30");
 });

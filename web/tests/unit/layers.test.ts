@@ -11,7 +11,7 @@ const run = promisify(execFile);
 const base = ["util", "skeleton", "document", "engine"];
 const below: Record<string, string[]> = {
   util: [],
-  stage: [],
+  stage: ["skeleton"],
   skeleton: ["util"],
   engine: ["util"],
   document: ["util"],

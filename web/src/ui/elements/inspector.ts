@@ -47,7 +47,8 @@ export class Inspector extends SessionElement {
       </header>
       <rigless-range label="Volume" track="volume" .value=${settings.volume} .max=${3} .rest=${1} low="flat" high="juicy"
         @range=${this.slid("volume")}></rigless-range>
-      <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${DEFAULT_SMOOTHNESS} low="snappy" high="floaty"
+      <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${DEFAULT_SMOOTHNESS}
+        low="snappy" high="floaty"
         @range=${this.slid("smoothness")}></rigless-range>
       <div class="switches">
         ${this.renderSwitch("groundContact", "Ground contact", this.contactEffect())}

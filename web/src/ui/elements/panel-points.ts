@@ -55,7 +55,7 @@ export class PointsPanel extends SessionElement {
       <label class="pair">Moved by <select @change=${(event: Event) =>
         session.points.pair(point.id, (event.target as HTMLSelectElement).value || null)}>
         <option value="" ?selected=${driver === null}>the whole pose</option>
-        ${session.points.drivers.map((joint) => html`<option value=${joint.name} ?selected=${joint.name === driver?.name}>${joint.label}</option>`)}
+        ${session.points.drivers.map(({ name, label }) => html`<option value=${name} ?selected=${name === driver?.name}>${label}</option>`)}
       </select></label>
       <label class="pair">Mirrors <select @change=${(event: Event) =>
         session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>

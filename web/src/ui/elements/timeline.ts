@@ -101,7 +101,7 @@ export class Timeline extends SessionElement {
     return html`<div class="lane ruler" style="--major:${(100 * step) / last}%;--minor:${(20 * step) / last}%">
       ${labels.map((frame) => html`<span style="--f:${(100 * frame) / last}%">${frame}</span>`)}
       <input class="scrub" type="range" min="0" max=${last} step="1" aria-label="Frame" ?disabled=${player.frames === 0}
-        .value=${String(player.frame)} @input=${this.scrub} @keydown=${this.keepKeys} />
+        .value=${String(player.frame)} @input=${this.scrub} @keydown=${this.arrowKeys} />
     </div>`;
   }
 
@@ -145,7 +145,7 @@ export class Timeline extends SessionElement {
   };
 
   /** Arrows move the playhead; the page's own keys still reach the page. */
-  private readonly keepKeys = (event: KeyboardEvent): void => {
+  private readonly arrowKeys = (event: KeyboardEvent): void => {
     if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.stopPropagation();
   };
 }
