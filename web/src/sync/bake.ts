@@ -2,7 +2,7 @@
 
 import type { ProjectDocument } from "../document/types";
 import type { Frame, Motion, MotionInput, Performance } from "../engine/types";
-import type { Binding } from "./binding";
+import type { Binding, CallFor } from "./binding";
 import type { SolverModel } from "./placement";
 
 export interface Bake {
@@ -29,7 +29,10 @@ export async function bake(
   parts: { readonly model: SolverModel; readonly motion: MotionInput },
   { signal, onProgress, onMotion, onSolved }: BakeOptions = {},
 ): Promise<Bake> {
-  const call = (step: string) => ({ ...(signal && { signal }), onProgress: (done: number) => onProgress?.(step, done) });
+  const call: CallFor = (step) => {
+    onProgress?.(step, 0); // quick steps are told too
+    return { ...(signal && { signal }), onProgress: (done) => onProgress?.(step, done) };
+  };
   const motion = await binding.takeMotion(parts.motion, call);
   onMotion?.(motion);
   await binding.take(document, parts, call);
