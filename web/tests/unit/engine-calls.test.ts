@@ -134,7 +134,7 @@ describe("what cannot be used is refused by name, and what was there stays", () 
     ["a word for a number", bvh(good.replace("OFFSET 0 0.8 0", "OFFSET 0 up 0")), /^dance\.bvh, line 8: a number is missing/],
     ["a misspelt keyword", bvh(good.replace("JOINT", "JIONT")), /^dance\.bvh, line 6: this line is not/],
     ["no frame", bvh(lines.slice(0, 18).join("\n")), /^dance\.bvh has no whole frame/],
-    ["a skeleton that is none", acclaim("intro", "1\nroot 0 0 0 0 0 0\n"), /^man\.asf is not an ASF skeleton/],
+    ["a skeleton that is none", acclaim("hello", "1\nroot 0 0 0 0 0 0\n"), /^man\.asf is not an ASF skeleton/],
     [
       "a bone that the skeleton has not",
       acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\ntail 4\n"),

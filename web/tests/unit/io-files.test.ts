@@ -75,7 +75,7 @@ describe("one drop of many files", () => {
       { name: "cow.png", bytes: PNG },
       textFile("cow.mtl", ""),
       { name: "hop.zip", bytes: inner },
-      textFile("letter.docx", "intro"),
+      textFile("letter.docx", "hello"),
       textFile("02_01.amc", AMC),
     ]);
     expect(sorted.project).toBeNull();

@@ -135,7 +135,7 @@ describe("GLB", () => {
   it.each([
     ['{"asset":{"version":"1.0"}}', "x.gltf is not glTF 2.0."],
     ["{}", "x.gltf holds no glTF model."],
-    ["intro", "x.gltf holds no glTF model."],
+    ["hello", "x.gltf holds no glTF model."],
     ['{"asset":{"version":"2.0"}}', "x.gltf has no triangles."],
     [
       '{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":7}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]}',

@@ -258,7 +258,7 @@ describe("STL", () => {
     ["t.stl, line 7: a triangle needs three corners, but this one has 2.", ascii.replace("vertex 0 1 0\n", "")],
     ['t.stl ends before "endsolid".', ascii.slice(0, -15)],
     ["t.stl has no triangles.", "solid nothing\nendsolid nothing\n"],
-    ["t.stl holds no STL model.", "intro"],
+    ["t.stl holds no STL model.", "hello"],
     [
       "t.stl: the place of vertex 1 is not a number.",
       (() => {
@@ -281,5 +281,5 @@ it("refuses coordinates that no number on the stage can hold", async () => {
 });
 
 it("names what is no model", async () => {
-  expect(await refusal("letter.docx", "intro")).toBe("letter.docx is not a model that we read (OBJ, PLY, STL, GLB, glTF, OFF).");
+  expect(await refusal("letter.docx", "hello")).toBe("letter.docx is not a model that we read (OBJ, OFF, PLY, STL, glTF, GLB).");
 });
