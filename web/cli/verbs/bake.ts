@@ -120,10 +120,12 @@ async function guessed(paths: readonly string[], binding: Binding, progress: Pro
   const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motion.files, model, said, joints);
   const { up, facing } = document.mesh;
   progress.note(
-    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
+    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ` +
+      `${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
   );
   progress.note(
-    `guessed ${count(document.points.length, "point")}: ${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
+    `guessed ${count(document.points.length, "point")}: ` +
+      `${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
   );
   return { document, model, motion: motion.input };
 }
@@ -157,7 +159,8 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
       await outputs.add(command.out, glb);
       const kept = keptFrames(baked.frames.length, every).length;
       progress.done(
-        `${command.out}: ${count(kept, "frame")}, ${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
+        `${command.out}: ${count(kept, "frame")}, ${count(model.drawn.toVertex.length, "vertex", "vertices")}, ` +
+          `${(glb.length / 1e6).toFixed(1)} MB`,
       );
       if (profile.mostKept !== null && kept > profile.mostKept) {
         const enough = everyFor(baked.frames.length, profile);

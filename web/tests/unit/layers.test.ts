@@ -7,7 +7,8 @@ import { expect, test } from "vitest";
 const web = join(import.meta.dirname, "../..");
 const run = promisify(execFile);
 
-// util, skeleton, document, engine <- sync <- io, viewport <- app <- ui; package, what import "rigless" gives, stands on io. What each directory of src may import besides itself.
+// util, skeleton, document, engine <- sync <- io, viewport <- app <- ui; package, what import "rigless" gives, stands on io.
+// What each directory of src may import besides itself.
 const base = ["util", "skeleton", "document", "engine"];
 const below: Record<string, string[]> = {
   util: [],
