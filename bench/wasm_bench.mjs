@@ -50,7 +50,12 @@ function makeBody(core, file) {
   const check = (status) => { if (status !== 0) throw new Error(`the core refused: ${status}`); };
   const body = core.body_new();
   check(core.body_set_mesh(body, lend(12 * vertices), vertices, lend(12 * faces), faces));
-  check(core.body_set_controls(body, lend(4 * controls), lend(4 * controls), controls));
+  const [at, radii, held] = [lend(4 * controls), lend(4 * controls), core.alloc(16 * controls)];
+  const { buffer } = core.memory;
+  const inputs = new Float64Array(buffer, held, 2 * controls);  // ControlInput of wasm/abi.h
+  new Int32Array(buffer, at, controls).forEach((vertex, c) => inputs.set([vertex], 2 * c));
+  new Float32Array(buffer, radii, controls).forEach((radius, c) => inputs.set([radius], 2 * c + 1));
+  check(core.body_set_controls(body, held, controls));
   const targets = lend(12 * controls);
   return (restart) => check(core.body_drag(body, targets, controls, 1, Number(restart)));
 }

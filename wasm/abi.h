@@ -8,6 +8,7 @@
 #include <new>
 #include <type_traits>
 
+#include "rigless/deform/control.h"
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/mesh/shape_analysis.h"
@@ -65,6 +66,16 @@ struct Vector {
 };
 
 static_assert(sizeof(Number) == sizeof(double) && sizeof(Vector) == 3 * sizeof(double));
+
+// Where a mesh is held.
+struct ControlInput {
+  Number vertex;
+  Number radius;  // of the disc along the surface, metres
+};
+
+inline rigless::Control<float> control(const ControlInput& c) {
+  return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value)};
+}
 
 struct BodyReport {
   Number volume;  // NaN when open

@@ -129,11 +129,25 @@ function decode(type, at) {
   return type === "Number" ? `n[${at}]` : `${upper(type.slice("NameOf<".length, -1))}_NAMES[n[${at}]]`;
 }
 
+function encode(type, value) {
+  if (type === "Vector") return `...${value}`;
+  if (type === "Flag") return `Number(${value})`;
+  return type === "Number" ? value : `${upper(type.slice("NameOf<".length, -1))}_NAMES.indexOf(${value})`;
+}
+
+/** Whether a function takes it, and so TypeScript writes it; the others are answers. */
+const asked = (name) => description.functions.some(({ parameters }) => parameters.some(({ type }) => type === `const ${name}*`));
+
 /** A comment of abi.h. */
 const doc = (said, indent = "") => (said ? `${indent}/** ${said[0].toUpperCase()}${said.slice(1).replace(/\.?$/, ".")} */\n` : "");
 
 /** As the formatter wants it: in one line if that is short enough. */
 const fitting = (...texts) => texts.find((text) => text.split("\n").every((line) => line.length <= 140));
+
+function askedText({ name, fields }) {
+  const values = fields.map(({ name: field, type }) => encode(type, `one.${camel(field)}`));
+  return `export const write${name} = (one: ${name}): number[] => [${values.join(", ")}];`;
+}
 
 function rowText({ name, fields }) {
   let at = 0;
@@ -154,7 +168,7 @@ function rowText({ name, fields }) {
 function structText(struct) {
   const { name, comment, fields } = struct;
   const members = fields.flatMap(({ name: field, type, comment: said }) => [`${doc(said, "  ")}  ${camel(field)}: ${fieldType(type)};`]);
-  const text = ["export interface " + name + " {", ...members, "}", "", rowText(struct), ""].join("\n");
+  const text = ["export interface " + name + " {", ...members, "}", "", asked(name) ? askedText(struct) : rowText(struct), ""].join("\n");
   return doc(comment) + text;
 }
 

@@ -9,6 +9,7 @@
 using rigless_wasm::answer;
 using rigless_wasm::BakeRoot;
 using rigless_wasm::BodyReport;
+using rigless_wasm::ControlInput;
 using rigless_wasm::HandleTable;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
@@ -56,11 +57,10 @@ RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
   });
 }
 
-// C vertices and geodesic radii. On failure the old controls stay.
-RIGLESS_EXPORT PackedStatus body_set_controls(ObjectHandle body, const std::int32_t* vertices, const float* radii,
-                                              std::int32_t count) {
+// C controls. On failure the old ones stay.
+RIGLESS_EXPORT PackedStatus body_set_controls(ObjectHandle body, const ControlInput* inputs, std::int32_t count) {
   std::vector<rigless::Control<float>> controls;
-  for (std::int32_t c = 0; c < count; ++c) controls.push_back({vertices[c], radii[c]});
+  for (const ControlInput& input : view<ControlInput>(inputs, count)) controls.push_back(control(input));
   return pack(bodies[body].set_controls(controls));
 }
 

@@ -1,7 +1,7 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1724340309;
+export const ABI = 2058428670;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -75,6 +75,15 @@ export type BodyPart = (typeof BODY_PART_NAMES)[number];
 
 export const BODY_SIDE_NAMES = ["none", "left", "right"] as const;
 export type BodySide = (typeof BODY_SIDE_NAMES)[number];
+
+/** Where a mesh is held. */
+export interface ControlInput {
+  vertex: number;
+  /** Of the disc along the surface, metres. */
+  radius: number;
+}
+
+export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius];
 
 export interface BodyReport {
   /** NaN when open. */
@@ -280,7 +289,7 @@ export interface RiglessExports {
     faceCount: number,
   ): PackedStatus;
   body_report(body: Handle): Pointer<BodyReport>;
-  body_set_controls(body: Handle, vertices: Pointer<Integers>, radii: Pointer<Float32Array>, count: number): PackedStatus;
+  body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
   body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
   body_positions(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;

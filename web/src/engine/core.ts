@@ -1,6 +1,6 @@
 // The core as the server uses it: one mesh with its controls, one motion, the last performance.
 
-import { bakeRootRow, bodyReportRow, performanceInfoRow } from "./abi";
+import { bakeRootRow, bodyReportRow, performanceInfoRow, writeControlInput } from "./abi";
 import type { BodyReport, Handle, PackedStatus, RiglessExports } from "./abi";
 import { Heap } from "./heap";
 import { engineError } from "./messages";
@@ -46,10 +46,8 @@ export class Core {
 
   setControls(controls: ControlInput[]): void {
     if (!this.#report) throw new EngineError("bad_controls", "There is no model to place controls on yet.");
-    const vertices = Int32Array.from(controls, (control) => control.vertex);
-    const radii = Float32Array.from(controls, (control) => control.radius);
-    this.#heap.lend([vertices, radii], ([at, radiiAt]) => {
-      this.#check(this.#wasm.body_set_controls(this.#body, at, radiiAt, controls.length), { kind: "controls" });
+    this.#heap.lendAll(writeControlInput, controls, (at) => {
+      this.#check(this.#wasm.body_set_controls(this.#body, at, controls.length), { kind: "controls" });
     });
     this.#forgetBake();
     this.#controls = controls.length;

@@ -4,7 +4,7 @@
 import type { Integers, Pointer, Row } from "./abi";
 import { outOfMemory } from "./messages";
 
-type Lendable = Float32Array | Integers | Uint8Array;
+type Lendable = Float32Array | Float64Array | Integers | Uint8Array;
 /** The pointer to each array. */
 type Lent<Arrays> = { [K in keyof Arrays]: Pointer<Arrays[K]> };
 
@@ -32,6 +32,11 @@ export class Heap {
     } finally {
       for (const at of pointers) this.module.release(at);
     }
+  }
+
+  /** The same for structs, each as the doubles that `write` makes of it. */
+  lendAll<T, R>(write: (one: T) => number[], all: readonly T[], use: (at: Pointer<T>) => R): R {
+    return this.lend([Float64Array.from(all.flatMap(write))], ([at]) => use(at as Pointer as Pointer<T>));
   }
 
   /** What the core answers in a struct. */

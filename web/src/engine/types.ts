@@ -2,7 +2,7 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide } from "./abi";
+import type { BodyRole, ControlInput, BodyPart as CorePart, BodySide as CoreSide } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -31,6 +31,8 @@ export interface MeshReport {
 
 export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 
+export type { ControlInput };
+
 /** What a point of a body is; a tip is an extremity without a name: an ear, a horn, a wing. */
 export type { BodyRole };
 
@@ -57,12 +59,6 @@ export interface ShapeAnalysis {
   symmetry: { point: [number, number, number]; normal: [number, number, number]; misfit: number } | null;
   /** At most 32, those that are wanted first. */
   points: BodyPoint[];
-}
-
-export interface ControlInput {
-  vertex: number;
-  /** Geodesic radius of the disc, metres. */
-  radius: number;
 }
 
 export type MotionInput =
