@@ -12,7 +12,7 @@ export interface Driver {
   readonly label: string;
 }
 
-/** Making, naming, pairing and taking away points. */
+/** Making, setting, pairing and taking away points. */
 export class Points {
   constructor(private readonly context: Context) {}
 
@@ -30,10 +30,11 @@ export class Points {
     return id;
   }
 
-  /** Answers false to an empty name: every point has one. */
-  rename(id: string, name: string): boolean {
-    if (name.trim() === "") return false;
-    this.context.history.apply(commands.renamePoint(id, name.trim()));
+  /** Its name or how it holds the model. Answers false to an empty name: every point has one. */
+  set(id: string, settings: commands.PointSettings): boolean {
+    const name = settings.name?.trim();
+    if (name === "") return false;
+    this.context.history.apply(commands.setPoint(id, name === undefined ? settings : { ...settings, name }));
     return true;
   }
 

@@ -59,7 +59,10 @@ export const addPoints =
   (document) =>
     points.reduce((next, point) => addPoint(point, roles)(next), document);
 
-export const renamePoint = (id: string, name: string): Command => updatePoint(id, { name });
+/** What a point says of itself alone; the rest has commands of its own. */
+export type PointSettings = Partial<Omit<Point, "id" | "position" | "joint" | "mirror">>;
+
+export const setPoint = (id: string, settings: PointSettings): Command => updatePoint(id, settings);
 
 /** Lets a joint drive a point; null: it follows the whole pose. */
 export const pairPoint =

@@ -21,8 +21,8 @@ test("points are renamed, paired and taken away, which says so and can be undone
   const { context } = await dancingContext();
   const points = new Points(context);
   const of = (id: string) => context.document.points.find((point) => point.id === id);
-  expect(points.rename("top", "  Crown ")).toBe(true);
-  expect(points.rename("top", " ")).toBe(false);
+  expect(points.set("top", { name: "  Crown " })).toBe(true);
+  expect(points.set("top", { name: " " })).toBe(false);
   expect(of("top")?.name).toBe("Crown");
   points.pair("top", null);
   expect(of("top")?.joint).toBeNull();

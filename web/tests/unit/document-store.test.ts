@@ -10,7 +10,7 @@ import {
   removeExample,
   removePoint,
   replaceExample,
-  renamePoint,
+  setPoint,
   renameProject,
   setMesh,
   setMotion,
@@ -30,7 +30,7 @@ const start: ProjectDocument = [
 const steps: Command[] = [
   renameProject("bean 2"),
   turnMesh("-x", "+z"),
-  renamePoint("p1", "crown"),
+  setPoint("p1", { name: "crown" }),
   pairPoint("p2", "joint_4", { joint_4: "left hand", joint_5: "right hand" }),
   replaceExample({ ...start.examples[0], joints: { joint_9: [0, 0, 0] } }, { joint_9: "hips" }),
   addPoint({ id: "p3", name: "foot", position: [0, 0, 0], joint: null }),
@@ -75,7 +75,7 @@ it("roles are kept of the joints that are named, and go with them", () => {
 });
 
 it("documents share what did not change", () => {
-  const next = renamePoint("p1", "crown")(start);
+  const next = setPoint("p1", { name: "crown" })(start);
   expect(next.points[1]).toBe(start.points[1]);
   expect(next.examples).toBe(start.examples);
 });
@@ -123,8 +123,8 @@ it("what changes nothing is no step", () => {
   store.subscribe(() => calls++);
   const nothing = [
     renameProject("bean"),
-    renamePoint("p1", "top"),
-    renamePoint("nobody", "x"),
+    setPoint("p1", { name: "top" }),
+    setPoint("nobody", { name: "x" }),
     pairPoint("p1", "head"),
     removePoint("nobody"),
     removeExample("nobody"),

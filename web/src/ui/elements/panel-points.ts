@@ -75,7 +75,7 @@ export class PointsPanel extends SessionElement {
 
   private rename(event: Event, { id, name }: Point): void {
     const input = event.target as HTMLInputElement;
-    if (!this.session.points.rename(id, input.value)) input.value = name;
+    if (!this.session.points.set(id, { name: input.value })) input.value = name;
   }
 }
 
