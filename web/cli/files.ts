@@ -29,13 +29,19 @@ export async function loadProject(path: string): Promise<OpenedProject> {
   return openProject([{ ...project, name: "project.json" }, model, ...beside, ...motion]);
 }
 
-/** A model with what it names beside it, and a motion: files in any order. */
-export async function loadModelAndMotion(paths: readonly string[]): Promise<{ modelFiles: NamedFile[]; motion: FoundMotion }> {
+/** Files that a user names, and what these name beside them. */
+export async function readFiles(paths: readonly string[]): Promise<{ given: NamedFile[]; beside: NamedFile[] }> {
   const given = await Promise.all(paths.map((path) => read(path, basename(path))));
   const beside = await Promise.all(given.map((file, n) => readBeside(file, dirname(paths[n]))));
+  return { given, beside: beside.flat() };
+}
+
+/** A model with what it names beside it, and a motion: files in any order. */
+export async function loadModelAndMotion(paths: readonly string[]): Promise<{ modelFiles: NamedFile[]; motion: FoundMotion }> {
+  const { given, beside } = await readFiles(paths);
   const { models, motions, problems } = await sortFiles(given);
   if (models.length === 1 && motions.length === 1 && problems.length === 0)
-    return { modelFiles: [models[0], ...beside.flat()], motion: motions[0] };
+    return { modelFiles: [models[0], ...beside], motion: motions[0] };
   throw new FileError(
     problems[0] ??
       `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} ` +
