@@ -12,15 +12,16 @@ int main(int argc, char** argv) {
   std::vector<rigless::Vec3<float>> vertices;
   std::vector<rigless::Face> faces;
   rigless::Vec3<float> p;
-  rigless::Face f;
+  std::string a, b, c;  // "12" or "12/3/4"
   for (std::string kind; model >> kind;) {
     if (kind == "v" && model >> p.x() >> p.y() >> p.z()) vertices.push_back(p);
-    if (kind == "f" && model >> f[0] >> f[1] >> f[2]) faces.push_back({f[0] - 1, f[1] - 1, f[2] - 1});
+    if (kind == "f" && model >> a >> b >> c) faces.push_back({std::stoi(a) - 1, std::stoi(b) - 1, std::stoi(c) - 1});
   }
 
   rigless::RetargetMeshInput<float> input = {text, {}, vertices, faces, {}, {}};
   rigless::RetargetedMesh<float> dancer;
-  if (!rigless::retarget_mesh(input, {}, dancer).ok()) return 1;
+  const rigless::Status status = rigless::retarget_mesh(input, {}, dancer);
+  if (!status.ok()) return std::fprintf(stderr, "error %d at %d\n", int(status.error), status.where), 1;
   for (const auto& point : dancer.points()) std::printf("vertex %d follows %s\n", point.vertex, point.joint.c_str());
   for (int frame = 0; frame < dancer.frames(); ++frame) {
     if (!dancer.frame(frame, vertices).ok()) return 1;

@@ -164,7 +164,7 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
       );
       if (profile.mostKept !== null && kept > profile.mostKept) {
         const enough = everyFor(baked.frames.length, profile);
-        progress.note(`Some viewers take at most ${profile.mostKept} frames as ${profile.words}: --every ${enough} stays below.`);
+        progress.note(`Some viewers take at most ${profile.mostKept} kept frames: --every ${enough} stays below.`);
       }
     }
     if (command.track !== null) {
