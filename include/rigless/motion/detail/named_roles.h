@@ -44,14 +44,6 @@ class NamedRoles {
     return std::max(fork, 0);
   }
 
-  // An end, or what hangs on the body: a skirt, hair.
-  bool is_beside(std::int32_t joint) const {
-    const std::vector<std::string>& words = reader_.names()[static_cast<std::size_t>(joint)].words;
-    return name(joint).part >= BodyPart::tip || std::any_of(words.begin(), words.end(), [](const std::string& word) {
-             return sense_of(plain(word)) == NameSense::helper;
-           });
-  }
-
   const JointName& name(std::int32_t joint) const { return names_[static_cast<std::size_t>(joint)]; }
 
  private:

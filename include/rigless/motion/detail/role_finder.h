@@ -102,7 +102,7 @@ class RoleFinder {
 
   // A limb whose names are not complete is the tree's, on both sides; of the trunk only what is missing.
   void fill(const BodyTree& body, const Poses& poses, JointRoles& roles) const {
-    JointRoles tree = body.find([&](std::int32_t joint) { return named_.is_beside(joint); });
+    JointRoles tree = body.find([&](std::int32_t joint) { return named_.name(joint).part >= BodyPart::tip; });
     if (tree.left.hip < 0) return;
     tell_sides(poses, tree);
     const bool legs = has_legs(roles.left) && has_legs(roles.right);
