@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rigless/motion/detail/body_parts.h"
+#include "rigless/motion/detail/joint_labels.h"
 #include "rigless/motion/detail/name_reader.h"
 
 namespace rigless {
@@ -19,7 +20,10 @@ inline std::vector<JointName> read_joint_names(const std::vector<std::string>& n
 // ---------------------------------------------------------------------------------------------------------------------
 
 inline std::vector<JointName> read_joint_names(const std::vector<std::string>& names) {
-  return detail::NameReader(names).read();
+  const detail::NameReader reader(names);
+  std::vector<JointName> result = reader.read();
+  detail::label_joints(reader.names(), result);
+  return result;
 }
 
 }  // namespace rigless

@@ -25,8 +25,9 @@ const TRUNK: ReadonlySet<NameSense> = new Set(["none", "hips", "root", "spine", 
 
 const besideTheSpine = (sense: NameSense): boolean => !TRUNK.has(sense);
 
-/** Takes the side out of the words; of several the longest counts: "R_LeftFoot" is left. */
+/** Takes the side out of the words; of several the longest counts: "R_LeftFoot" is left. A letter alone is no side. */
 function takeSide(name: NameParts): void {
+  if (name.words.length === 1 && sizeOf(name.words[0]) === 1) return;
   let taken = 0;
   let length = 0;
   name.words.forEach((own, k) => {

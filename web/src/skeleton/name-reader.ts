@@ -62,7 +62,7 @@ export class NameReader {
     }
   }
 
-  /** Blender's Rigify calls everything from the hips to the head "spine", numbered to 6. */
+  /** Blender's Rigify calls everything from the hips to the head "spine", numbered to 6; 2 and 5 may be missing. */
   private readRigify(result: { part: Part }[]): void {
     const parts: readonly Part[] = ["hips", "spine", "spine", "chest", "neck", "neck", "head"];
     if (result.some(({ part }) => part === "hips" || part === "chest" || part === "neck" || part === "head")) return;
@@ -71,8 +71,8 @@ export class NameReader {
       const last = words.at(-1) ?? "";
       if (sense === "spine") joints.set(isNumber(last) ? parseInt(last, 10) : 0, j);
     });
-    if (!parts.every((_, k) => joints.has(k))) return;
-    parts.forEach((part, k) => (result[joints.get(k) ?? 0].part = part));
+    if (![0, 1, 3, 4, 6].every((k) => joints.has(k))) return;
+    for (const [k, j] of joints) if (k < parts.length) result[j].part = parts[k];
   }
 }
 

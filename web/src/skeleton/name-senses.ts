@@ -44,7 +44,7 @@ export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlyS
     "hips",
     words(`
       hips pelvis hipcenter hipscenter centerhip midhip spinebase lowertorso torsolower lowerbody becken bassin bacino bacia
-      таз 骨盆 骨盤 臀部 下半身 腰 センター 골반 엉덩이
+      таз 骨盆 盆骨 骨盤 臀部 下半身 腰 センター 골반 엉덩이
     `),
   ],
   ["hip", words("hip hufte hanche hanches cadera caderas anca")],
@@ -54,7 +54,7 @@ export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlyS
     words(`
       spine back lowerback torso abdomen abdomenlower abdomenupper lowerabdomen upperabdomen waist belly stomach lumbar
       spinemid midspine spinelower spineupper spinenavel spinenaval spinetwist l1 l2 l3 l4 l5 t9 t10 t11 t12 wirbelsaule
-      ruckgrat rucken bauch colonne colonnevertebrale dos ventre columna espina espalda colonna coluna позвоночник спина живот
+      ruckgrat rucken bauch colonne colonnevertebrale dos ventre schiena columna espina espalda colonna coluna позвоночник спина живот
       上半身 脊椎 脊柱 背骨 腰部 腰椎 척추 허리
     `),
   ],
@@ -99,7 +99,7 @@ export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlyS
   [
     "finger",
     words(`
-      finger fingers thumb index ring pinky pinkie little metacarpal metacarpals carpal carpals palm knuckle knuckles daumen
+      finger fingers thumb index ring pinky pinkie little metacarpal metacarpals carpal carpals palm handtip knuckle knuckles daumen
       doigt doigts pouce dedo pulgar dito палец пальцы 손가락
     `),
   ],
@@ -111,7 +111,7 @@ export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlyS
     "lower_leg",
     words(`
       knee shin calf lowleg lowerleg leglower loleg shank unterschenkel knie wade genou mollet rodilla pantorrilla espinilla
-      ginocchio polpaccio joelho canela голень колено ひざ 膝 すね 脛 小腿 膝盖 종아리 무릎 정강이
+      ginocchio polpaccio joelho canela голень колено ひざ 膝 すね 脛 小腿 膝盖 下腿 종아리 무릎 정강이
     `),
   ],
   ["tibia", words("tibia")],
@@ -128,7 +128,7 @@ export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlyS
   [
     "helper",
     words(`
-      ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair breast socket
+      ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair tail sword breast socket
       dummy
     `),
   ],
@@ -136,17 +136,17 @@ export const SENSE_WORDS: readonly (readonly [sense: NameSense, words: ReadonlyS
 
 /** Say nothing of the part, wherever they stand. */
 export const NOISE_WORDS: ReadonlySet<string> = words(`
-  joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig armature character char j b c m x bend
+  joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig skel drv armature character char j b c m x bend
   stretch deform skeleton
 `);
 export const END_WORDS: ReadonlySet<string> = words("end nub site endsite tip top eff effector leaf");
 export const LEFT_WORDS: ReadonlySet<string> = words(`
   l left lt lft links linke linker linkes gauche izq izquierda izquierdo esquerda esquerdo sinistra sinistro sx левая
-  левое левый лев 左 왼쪽 왼
+  левое левый лев л 左 왼쪽 왼
 `);
 export const RIGHT_WORDS: ReadonlySet<string> = words(`
   r right rt rgt rechts rechte rechter rechtes droite droit der derecha derecho direita direito destra destro dx правая
-  правое правый прав 右 오른쪽 오른
+  правое правый прав п 右 오른쪽 오른
 `);
 
 /** By the whole word. */

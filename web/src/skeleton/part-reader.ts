@@ -73,7 +73,8 @@ export class PartReader {
         return thigh ? null : "upper_leg";
       case "hip_joint":
         return upperLeg ? null : "upper_leg";
-      case "leg":
+      case "leg": // one word in Japanese for leg and foot
+        if (upperLeg && lowerLeg && !this.has(side, "foot", "ankle")) return "foot";
         return upperLeg || (!lowerLeg && !this.isFirstOfItsWords(joint)) ? "lower_leg" : "upper_leg";
       case "arm":
         if (upperArm) return lowerArm ? "upper_arm" : "lower_arm";

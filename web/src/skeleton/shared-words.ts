@@ -4,10 +4,10 @@
 import { END_WORDS, LEFT_WORDS, RIGHT_WORDS, senseOf } from "./name-senses";
 import { isNumber, plain } from "./name-words";
 
-/** Whether a word says something of its joint, however many names have it. */
+/** Whether a word says something of its joint, however many names have it. Not all can be helpers. */
 function saysSomething(word: string): boolean {
   const text = plain(word);
-  return senseOf(text) !== "none" || [LEFT_WORDS, RIGHT_WORDS, END_WORDS].some((words) => words.has(text));
+  return !["none", "helper"].includes(senseOf(text)) || [LEFT_WORDS, RIGHT_WORDS, END_WORDS].some((words) => words.has(text));
 }
 
 /**

@@ -78,7 +78,7 @@ const vocabularies = skeletons
   .filter(({ vocabulary }) => vocabulary !== "CMU Acclaim")
   .map(({ vocabulary, joints }): [string, Names] => [
     vocabulary,
-    vocabulary === "numbers" ? new Map(joints.map(([name], n) => [ROLES[n][1], name])) : namesOf(joints),
+    vocabulary === "numbers" || vocabulary === "letters" ? new Map(joints.map(([name], n) => [ROLES[n][1], name])) : namesOf(joints),
   ]);
 if (hasShared) {
   const { names } = JSON.parse(sharedText("vocabularies.json")) as { names: Record<string, string[]> };

@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigless/motion/joint_names.h"
+#include "rigless/motion/detail/name_reader.h"
 #include "rigless/motion/joint_roles.h"
 
 namespace rigless {
 
 // J: the joint on the other side of the body, itself on the middle line and where there is none. By the roles, and for
-// joints without one (fingers, helpers, ends) by their names' labels. Mirroring twice gives the joint again. Allocates.
+// joints without one (fingers, helpers, ends) in their order by what their names say. Mirroring twice gives the joint
+// again. Allocates.
 inline std::vector<std::int32_t> mirror_joints(const Skeleton& skeleton, const JointRoles& roles) {
   const auto count = static_cast<std::int32_t>(skeleton.names.size());
   std::vector<std::int32_t> mirror;
@@ -26,14 +27,19 @@ inline std::vector<std::int32_t> mirror_joints(const Skeleton& skeleton, const J
     const auto one = static_cast<BodyPart>(part);
     pair(roles.find(BodySide::left, one), roles.find(BodySide::right, one));
   }
-  const std::vector<JointName> names = read_joint_names(skeleton.names);
-  constexpr std::size_t left = sizeof("Left") - 1, right = sizeof("Right") - 1;
+  const detail::NameReader reader(skeleton.names);
+  const std::vector<JointName> names = reader.read();
+  const auto same = [&](std::int32_t a, std::int32_t b) {
+    const auto l = static_cast<std::size_t>(a), r = static_cast<std::size_t>(b);
+    if (names[l].part != names[r].part || names[r].side != BodySide::right) return false;
+    const bool many =
+        names[l].part == BodyPart::none || names[l].part == BodyPart::finger || names[l].part == BodyPart::end;
+    return !many || reader.names()[l].words == reader.names()[r].words;
+  };
   for (std::int32_t a = 0; a < count; ++a) {
-    const JointName& l = names[static_cast<std::size_t>(a)];
-    for (std::int32_t b = 0; b < count && l.side == BodySide::left && twin(a) == a; ++b) {
-      const JointName& r = names[static_cast<std::size_t>(b)];
-      if (r.side == BodySide::right && l.label.compare(left, l.label.npos, r.label, right, r.label.npos) == 0)
-        pair(a, b);
+    for (std::int32_t b = 0; b < count && names[static_cast<std::size_t>(a)].side == BodySide::left && twin(a) == a;
+         ++b) {
+      if (twin(b) == b && same(a, b)) pair(a, b);
     }
   }
   return mirror;

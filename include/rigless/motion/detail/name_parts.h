@@ -30,8 +30,9 @@ inline bool ends_with(std::string_view text, std::string_view tail) {
 
 inline bool beside_the_spine(NameSense sense) { return sense == NameSense::hip || sense >= NameSense::collar; }
 
-// Takes the side out of the words; of several the longest counts: "R_LeftFoot" is left.
+// Takes the side out of the words; of several the longest counts: "R_LeftFoot" is left. A letter alone is no side.
 inline void take_side(NameParts& name) {
+  if (name.words.size() == 1 && name.words[0].size() == 1) return;
   std::size_t taken = 0;
   std::size_t length = 0;
   for (std::size_t k = 0; k < name.words.size(); ++k) {

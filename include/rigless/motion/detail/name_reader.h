@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "rigless/motion/detail/body_parts.h"
-#include "rigless/motion/detail/joint_labels.h"
 #include "rigless/motion/detail/name_parts.h"
 #include "rigless/motion/detail/name_senses.h"
 #include "rigless/motion/detail/part_reader.h"
@@ -46,6 +45,9 @@ class NameReader {
            (name.sense == NameSense::hips || (name.sense == NameSense::hip && name.side == BodySide::none));
   }
 
+  const std::vector<NameParts>& names() const { return names_; }
+
+  // Without labels.
   std::vector<JointName> read() const {
     const PartReader parts(names_);
     std::vector<JointName> result;
@@ -59,7 +61,6 @@ class NameReader {
         }
       }
     }
-    label_joints(names_, result);
     return result;
   }
 
@@ -98,7 +99,7 @@ class NameReader {
     }
   }
 
-  // Blender's Rigify calls everything from the hips to the head "spine", numbered to 6.
+  // Blender's Rigify calls everything from the hips to the head "spine", numbered to 6; 2 and 5 may be missing.
   void read_rigify(std::vector<JointName>& result) const {
     constexpr std::array<BodyPart, 7> parts = {BodyPart::hips, BodyPart::spine, BodyPart::spine, BodyPart::chest,
                                                BodyPart::neck, BodyPart::neck,  BodyPart::head};
@@ -114,8 +115,12 @@ class NameReader {
       const std::size_t number = is_number(last) ? static_cast<std::size_t>(std::atoi(last.c_str())) : 0;
       if (number < joints.size()) joints[number] = j;
     }
-    if (std::find(joints.begin(), joints.end(), names_.size()) != joints.end()) return;
-    for (std::size_t k = 0; k < joints.size(); ++k) result[joints[k]].part = parts[k];
+    for (const std::size_t k : {0u, 1u, 3u, 4u, 6u}) {
+      if (joints[k] == names_.size()) return;
+    }
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      if (joints[k] < names_.size()) result[joints[k]].part = parts[k];
+    }
   }
 
   std::vector<NameParts> names_;

@@ -51,14 +51,15 @@ inline constexpr SenseWords sense_words[] = {
     {NameSense::hips,
      " hips pelvis hipcenter hipscenter centerhip midhip spinebase lowertorso torsolower lowerbody becken bassin "
      "bacino "
-     "bacia таз 骨盆 骨盤 臀部 下半身 腰 センター 골반 엉덩이 "},
+     "bacia таз 骨盆 盆骨 骨盤 臀部 下半身 腰 センター 골반 엉덩이 "},
     {NameSense::hip, " hip hufte hanche hanches cadera caderas anca "},
     {NameSense::root, " root center centre cog com centerofmass centerofgravity "},
     {NameSense::spine,
      " spine back lowerback torso abdomen abdomenlower abdomenupper lowerabdomen upperabdomen waist belly stomach "
      "lumbar "
      "spinemid midspine spinelower spineupper spinenavel spinenaval spinetwist l1 l2 l3 l4 l5 t9 t10 t11 t12 "
-     "wirbelsaule ruckgrat rucken bauch colonne colonnevertebrale dos ventre columna espina espalda colonna coluna "
+     "wirbelsaule ruckgrat rucken bauch colonne colonnevertebrale dos ventre schiena columna espina espalda colonna "
+     "coluna "
      "позвоночник спина живот 上半身 脊椎 脊柱 背骨 腰部 腰椎 척추 허리 "},
     {NameSense::upper_back, " upperback backupper "},
     {NameSense::chest,
@@ -88,7 +89,8 @@ inline constexpr SenseWords sense_words[] = {
     {NameSense::hand,
      " hand wrist handgelenk main poignet mano muneca polso mao pulso кисть запястье 手首 手 手腕 手部 손 손목 "},
     {NameSense::finger,
-     " finger fingers thumb index ring pinky pinkie little metacarpal metacarpals carpal carpals palm knuckle knuckles "
+     " finger fingers thumb index ring pinky pinkie little metacarpal metacarpals carpal carpals palm handtip knuckle "
+     "knuckles "
      "daumen doigt doigts pouce dedo pulgar dito палец пальцы 손가락 "},
     {NameSense::upper_leg,
      " upleg upperleg legupper uleg thigh oberschenkel cuisse muslo coscia coxa бедро 大腿 太もも もも 股関節 허벅지 "},
@@ -97,7 +99,7 @@ inline constexpr SenseWords sense_words[] = {
     {NameSense::leg, " leg bein jambe pierna gamba perna нога 足 다리 "},
     {NameSense::lower_leg,
      " knee shin calf lowleg lowerleg leglower loleg shank unterschenkel knie wade genou mollet rodilla pantorrilla "
-     "espinilla ginocchio polpaccio joelho canela голень колено ひざ 膝 すね 脛 小腿 膝盖 종아리 무릎 정강이 "},
+     "espinilla ginocchio polpaccio joelho canela голень колено ひざ 膝 すね 脛 小腿 膝盖 下腿 종아리 무릎 정강이 "},
     {NameSense::tibia, " tibia "},
     {NameSense::ankle,
      " ankle knochel fussgelenk cheville tobillo caviglia tornozelo щиколотка лодыжка 足首 足踝 脚踝 脚腕 발목 "},
@@ -108,24 +110,26 @@ inline constexpr SenseWords sense_words[] = {
      "punta носок つま先 足先 脚趾 脚尖 足尖 발가락 발끝 "},
     {NameSense::big_toe, " bigtoe toebig hallux "},
     {NameSense::helper,
-     " ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair "
+     " ik fk pole target ctrl control controller helper prop weapon twist roll aim attach muscle cloth skirt hair tail "
+     "sword "
      "breast "
      "socket dummy "},
 };
 
 // Say nothing of the part, wherever they stand.
 inline constexpr std::string_view noise_words =
-    " joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig armature character char j b c m x "
+    " joint jnt jt bone bn bind skin sk def org bip biped mixamorig valvebiped rig skel drv armature character char j "
+    "b c m x "
     "bend "
     "stretch deform skeleton ";
 inline constexpr std::string_view end_words = " end nub site endsite tip top eff effector leaf ";
 inline constexpr std::string_view left_words =
     " l left lt lft links linke linker linkes gauche izq izquierda izquierdo esquerda esquerdo sinistra sinistro sx "
     "левая "
-    "левое левый лев 左 왼쪽 왼 ";
+    "левое левый лев л 左 왼쪽 왼 ";
 inline constexpr std::string_view right_words =
     " r right rt rgt rechts rechte rechter rechtes droite droit der derecha derecho direita direito destra destro dx "
-    "правая правое правый прав 右 오른쪽 오른 ";
+    "правая правое правый прав п 右 오른쪽 오른 ";
 
 inline bool among(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); at != words.npos && !word.empty(); at = words.find(word, at + 1)) {

@@ -120,14 +120,16 @@ class NamedRoles {
     return -1;
   }
 
-  // Along the way to the head: the first spine, chest and neck. Without a chest the last of several spines is it.
+  // Along the way from the hips to the head: the first spine, chest and neck. Without a chest the last of several
+  // spines is it.
   void name_trunk(JointRoles& roles) const {
     const std::int32_t arms = tree_.meeting(top_of_arm(roles.left), top_of_arm(roles.right));
+    const std::int32_t hips = find_hips(roles);
     std::int32_t last = -1;
     for (const std::int32_t joint : tree_.path_to(roles.head >= 0 ? roles.head : arms)) {
       if (name(joint).side != BodySide::none) continue;
       const BodyPart part = name(joint).part;
-      if (part == BodyPart::spine && roles.spine < 0) roles.spine = joint;
+      if (part == BodyPart::spine && roles.spine < 0 && joint != hips) roles.spine = joint;
       if (part == BodyPart::spine) last = joint;
       if (part == BodyPart::chest && roles.chest < 0) roles.chest = joint;
       if (part == BodyPart::neck && roles.neck < 0) roles.neck = joint;

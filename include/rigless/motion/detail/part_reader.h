@@ -85,7 +85,9 @@ class PartReader {
         return thigh ? BodyPart::none : BodyPart::upper_leg;
       case NameSense::hip_joint:
         return upper_leg ? BodyPart::none : BodyPart::upper_leg;
-      case NameSense::leg:
+      case NameSense::leg:  // one word in Japanese for leg and foot
+        if (upper_leg && lower_leg && !has(side, NameSense::foot) && !has(side, NameSense::ankle))
+          return BodyPart::foot;
         return upper_leg || (!lower_leg && !first_of_its_words(joint)) ? BodyPart::lower_leg : BodyPart::upper_leg;
       case NameSense::arm:
         return upper_arm                                  ? (lower_arm ? BodyPart::upper_arm : BodyPart::lower_arm)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,11 +11,12 @@
 
 namespace rigless::detail {
 
-// Whether a word says something of its joint, however many names have it.
+// Whether a word says something of its joint, however many names have it. Not all can be helpers.
 inline bool says_something(const std::string& word) {
   const std::string text = plain(word);
-  return sense_of(text) != NameSense::none || among(left_words, text) || among(right_words, text) ||
-         among(end_words, text);
+  const NameSense sense = sense_of(text);
+  return (sense != NameSense::none && sense != NameSense::helper) || among(left_words, text) ||
+         among(right_words, text) || among(end_words, text);
 }
 
 // Takes away, as long as there is one, the word with which more than half of the names begin or end; numbers only after
@@ -26,17 +26,21 @@ inline void drop_shared_words(std::vector<std::vector<std::string>>& names) {
   for (const bool at_end : {false, true}) {
     const std::vector<std::vector<std::string>> whole = names;
     for (bool first = true;; first = false) {
-      std::map<std::string, std::size_t> count;
+      const auto at = [&](const auto& words) {
+        return words.empty() ? std::string() : at_end ? words.back() : words.front();
+      };
+      std::string most;  // the only word that can be that of more than half
+      std::size_t votes = 0;
       for (const auto& words : names) {
-        if (!words.empty()) ++count[at_end ? words.back() : words.front()];
+        if (votes == 0) most = at(words);
+        votes = at(words) == most ? votes + 1 : votes - 1;
       }
-      const auto most =
-          std::max_element(count.begin(), count.end(), [](auto& a, auto& b) { return a.second < b.second; });
-      if (most == count.end() || 2 * most->second <= names.size() || says_something(most->first)) break;
-      if (is_number(most->first) && (first || at_end)) break;
+      const auto has_it = [&](const auto& words) { return at(words) == most; };
+      const auto count = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), has_it));
+      if (most.empty() || 2 * count <= names.size() || says_something(most)) break;
+      if (is_number(most) && (first || at_end)) break;
       for (auto& words : names) {
-        if (words.empty() || (at_end ? words.back() : words.front()) != most->first) continue;
-        words.erase(at_end ? words.end() - 1 : words.begin());
+        if (has_it(words)) words.erase(at_end ? words.end() - 1 : words.begin());
       }
     }
     for (std::size_t j = 0; j < names.size(); ++j) {
