@@ -78,7 +78,7 @@ export const jointFinder = once((joints: readonly RoledJoint[]): JointFinder => 
 
 /** What people read of a skeleton's joints: the roles that they have, in words, and what else their names tell. */
 export const describeJoints = once((joints: readonly RoledJoint[]): readonly JointName[] => {
-  const read = readJointNames(joints.map(({ name }) => name));
+  const read = plainForRoles(joints, readJointNames(joints.map(({ name }) => name)));
   const taken = new Set(read.map(({ label }) => label));
   return joints.map((joint, j) => {
     const { side, part } = joint.part === null && !UNIQUE.includes(read[j].part) ? read[j] : joint;
@@ -95,6 +95,17 @@ function once<K extends object, V>(make: (key: K) => V): (key: K) => V {
     made.set(key, value);
     return value;
   };
+}
+
+/** Of several joints of one part, the one that has its role is called so without a number. */
+function plainForRoles(joints: readonly RoledJoint[], read: JointName[]): JointName[] {
+  joints.forEach(({ side, part }, j) => {
+    const plain = partLabel(side, part);
+    const other = read.findIndex(({ label }) => label === plain);
+    if (other < 0 || other === j || read[j].part !== part) return;
+    [read[j].label, read[other].label] = [read[other].label, read[j].label];
+  });
+  return read;
 }
 
 /** The joint of the same part on the other side, itself in the middle; -1 without a role. */

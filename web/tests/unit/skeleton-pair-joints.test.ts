@@ -1,5 +1,6 @@
 import { describe, expect, it, test } from "vitest";
 import { describeJoints, jointFinder, jointPartners, roleOf } from "../../src/skeleton/pair-joints";
+import type { RoledJoint } from "../../src/skeleton/pair-joints";
 import { namedJoints, numberedJoints } from "../support/joints";
 
 const acclaim = [
@@ -115,4 +116,10 @@ it("roles are words", () => {
   expect(roleOf({ side: "left", part: "lower_arm" })).toBe("left lower arm");
   expect(roleOf({ side: null, part: "hips" })).toBe("hips");
   expect(roleOf({ side: "left", part: "finger" })).toBeNull();
+});
+
+test("of the joints of one part the one that moves points has the plain name", () => {
+  const joint = (name: string, part: RoledJoint["part"] = null): RoledJoint => ({ name, side: part ? "left" : null, part });
+  const arm = [joint("lfemur", "lower_leg"), joint("ltibia", "foot"), joint("lradius"), joint("lwrist"), joint("lhand", "hand")];
+  expect(describeJoints(arm).map(({ label }) => label)).toEqual(["Left knee", "Left foot", "Left hand 3", "Left hand 2", "Left hand"]);
 });
