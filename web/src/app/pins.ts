@@ -1,4 +1,4 @@
-import { clipOf, removePin, setPin } from "../document/clips";
+import { canStandStill, clipOf, removePin, setPin } from "../document/clips";
 import { freeId } from "../document/commands";
 import type { Pin } from "../document/types";
 import { pointsOfControls } from "../sync/point-controls";
@@ -68,8 +68,12 @@ export class Pins {
     this.make(id, frame, targets);
   }
 
+  canStandStill({ frame }: Pin): boolean {
+    return canStandStill(frame);
+  }
+
   setKind(pin: Pin, kind: Pin["kind"]): void {
-    if (kind === "still" && pin.frame === 0) return;
+    if (kind === "still" && !canStandStill(pin.frame)) return;
     this.context.history.apply(setPin({ ...pin, kind }));
   }
 

@@ -1,5 +1,5 @@
 import * as commands from "../document/commands";
-import type { Point, Vec3 } from "../document/types";
+import type { Vec3 } from "../document/types";
 import { describeJoints } from "../skeleton/pair-joints";
 import { pointJoints, sayJoint } from "../sync/pairing";
 import type { Context } from "./context";
@@ -51,11 +51,10 @@ export class Points {
     return describeJoints(joints).map(({ label }, j) => ({ name: joints[j].name, label }));
   }
 
-  /** The joint that moves a point; null where the whole pose does. */
-  driverOf({ id }: Point): Driver | null {
+  /** C: which of the drivers moves each point; -1 where the whole pose does. */
+  get paired(): Int32Array {
     const { document, motion } = this.context;
-    const joint = motion ? pointJoints(document, motion)[document.points.findIndex((point) => point.id === id)] : -1;
-    return this.drivers[joint] ?? null;
+    return motion ? pointJoints(document, motion) : new Int32Array(document.points.length).fill(-1);
   }
 
   /** Its partner on the other side, itself in the middle, or nobody. */

@@ -16,6 +16,9 @@ export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): Cli
   return clips && Object.hasOwn(clips, name) ? clips[name] : NOTHING;
 }
 
+/** Whether a point can stand still at a frame: before the first there is none in which it could have stood. */
+export const canStandStill = (frame: number): boolean => frame > 0;
+
 /** A new pin, or another place for the one that has its point, frame and kind. */
 export const setPin = (pin: Pin): Command =>
   changeClip(({ pins = [], ...clip }) => {

@@ -1,5 +1,6 @@
 // A project file's text to a document and back. docs/project-format.md explains each field.
 
+import { canStandStill } from "./clips";
 import schema from "./project-schema.json";
 import { findFault, withDefaults } from "./schema";
 import type { Clip, ProjectDocument } from "./types";
@@ -80,7 +81,8 @@ function brokenClip({ pins = [], contacts = {}, flights = [] }: Clip, points: Re
     ids.add(id);
     if (!points.has(point)) return `pins[${n}] holds "${point}", but no point has this id.`;
     if (kind === "place" && !position) return `pins[${n}].position is missing: a pin of kind "place" says where.`;
-    if (kind === "still" && frame === 0) return `pins[${n}].frame is 0, but no frame comes before it in which its point could stand.`;
+    if (kind === "still" && !canStandStill(frame))
+      return `pins[${n}].frame is 0, but no frame comes before it in which its point could stand.`;
   }
   const stranger = Object.keys(contacts).find((id) => !points.has(id));
   if (stranger !== undefined) return `contacts names "${stranger}", but no point has this id.`;

@@ -9,7 +9,7 @@ import { EngineError, FPS } from "../engine/types";
 import type { Engine, Motion, MotionInput } from "../engine/types";
 import { buildSurface } from "../io/model";
 import type { JointRoles } from "../skeleton/pair-joints";
-import { bake, type BakeOptions } from "../sync/bake";
+import { bake } from "../sync/bake";
 import { Binding } from "../sync/binding";
 import { guessProject } from "../sync/guess";
 import { pairingNotes, sayPose } from "../sync/pairing";
@@ -126,7 +126,7 @@ async function retarget(engine: Engine, task: RetargetTask, options: RetargetOpt
   const input = motionInput(task.motion);
   const motion = await binding.takeMotion(input, (step) => ({ ...(signal && { signal }), onProgress: (done) => onProgress?.(step, done) }));
   const document = await documentOf(engine, task, surface, motion, signal);
-  const baked = await bake(binding, document, { model: surface, motion: input }, options as BakeOptions);
+  const baked = await bake(binding, document, { model: surface, motion: input }, options);
   const { up, facing } = document.mesh;
   const stage = stageFor(surface, document.mesh);
   return {

@@ -37,3 +37,15 @@ test("points are renamed, paired and taken away, which says so and can be undone
   context.selection.select(FLIGHTS);
   expect(points.selected).toBeNull();
 });
+
+test("each point tells which joint really moves it, by the name that people read", async () => {
+  const { context } = await dancingContext();
+  const points = new Points(context);
+  const labels = () => context.document.points.map(({ id }, c) => [id, points.drivers[points.paired[c]]?.label]);
+  expect(labels()).toContainEqual(["top", "Head"]);
+  expect(labels()).toContainEqual(["left-arm", "Left hand"]);
+  points.pair("top", "LeftForeArm");
+  expect(labels()).toContainEqual(["top", "Left elbow"]);
+  points.pair("top", null);
+  expect(labels()).toContainEqual(["top", undefined]);
+});

@@ -42,7 +42,6 @@ struct JointRoles {
   LimbRoles left;
   LimbRoles right;
 
-  bool has_feet() const { return left.ankle >= 0 && left.toe >= 0 && right.ankle >= 0 && right.toe >= 0; }
   // Whether the joints of this body can be told: both feet, and the head or a hand.
   bool known() const { return left.ankle >= 0 && right.ankle >= 0 && (head >= 0 || left.hand >= 0 || right.hand >= 0); }
   // -1 where there is none, and for fingers and ends, of which there are many.

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Point } from "../../app/points";
+import type { Driver, Point } from "../../app/points";
 import { SessionElement } from "../element";
 import { badge } from "../point-colors";
 import { base, panel } from "../styles";
@@ -15,11 +15,12 @@ export class PointsPanel extends SessionElement {
     const { session } = this;
     const { pairing } = session;
     const { points } = session.document;
+    const { drivers, paired } = session.points;
     return html`<section class="panel" aria-label="Points">
       <h2>Points <button class="btn line" aria-pressed=${pairing.adding} @click=${() => pairing.toggleAdd()}
         >${pairing.adding ? "Done" : "Add"}</button></h2>
       ${points.length === 0 ? html`<p class="note">Click a place on the model, then the joint that moves it.</p>` : nothing}
-      <ul>${points.map((point, k) => this.renderPoint(point, k + 1))}</ul>
+      <ul>${points.map((point, k) => this.renderPoint(point, k + 1, drivers, paired[k]))}</ul>
       ${this.renderSuggested()}
       ${points.length > 0 ? KEYS : nothing}
     </section>`;
@@ -33,29 +34,29 @@ export class PointsPanel extends SessionElement {
     )}</div>`;
   }
 
-  private renderPoint(point: Point, number: number) {
+  /** `driver`: which of the drivers moves it, -1 where the whole pose does. */
+  private renderPoint(point: Point, number: number, drivers: readonly Driver[], driver: number) {
     const { session } = this;
     const on = session.selection.point === point.id;
     return html`<li>
       <button class="item" aria-pressed=${on} @click=${() => session.selection.select(on ? null : point.id)}
         @keydown=${(event: KeyboardEvent) => this.nudge(event, point)}>
         ${badge(number, { weak: point.joint === null })}<span>${point.name}</span
-        ><small>${session.points.driverOf(point)?.label ?? (point.joint === null ? "not paired" : "not in this motion")}</small></button>
-      ${on ? this.renderDetails(point) : nothing}
+        ><small>${drivers[driver]?.label ?? (point.joint === null ? "not paired" : "not in this motion")}</small></button>
+      ${on ? this.renderDetails(point, drivers, driver) : nothing}
     </li>`;
   }
 
-  private renderDetails(point: Point) {
+  private renderDetails(point: Point, drivers: readonly Driver[], driver: number) {
     const { session } = this;
     const { points } = session.document;
-    const driver = session.points.driverOf(point);
     return html`<div class="more">
       <label class="pair">Name <input .value=${point.name} autocomplete="off" spellcheck="false"
         @change=${(event: Event) => this.rename(event, point)} /></label>
       <label class="pair">Moved by <select @change=${(event: Event) =>
         session.points.pair(point.id, (event.target as HTMLSelectElement).value || null)}>
-        <option value="" ?selected=${driver === null}>the whole pose</option>
-        ${session.points.drivers.map(({ name, label }) => html`<option value=${name} ?selected=${name === driver?.name}>${label}</option>`)}
+        <option value="" ?selected=${driver < 0}>the whole pose</option>
+        ${drivers.map(({ name, label }, j) => html`<option value=${name} ?selected=${j === driver}>${label}</option>`)}
       </select></label>
       <label class="pair">Mirrors <select @change=${(event: Event) =>
         session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>

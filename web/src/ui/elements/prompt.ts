@@ -61,7 +61,7 @@ export class Prompt extends SessionElement {
       html`${
         still && !pin.position
           ? ""
-          : html`<button class="btn" ?disabled=${pin.frame === 0} @click=${() => pins.setKind(pin, still ? "place" : "still")}
+          : html`<button class="btn" ?disabled=${!pins.canStandStill(pin)} @click=${() => pins.setKind(pin, still ? "place" : "still")}
             >${still ? "Hold it" : "Stand still"}</button>`
       }
         <button class="btn" @click=${() => pins.remove(pin.id)}>Delete</button>
