@@ -15,6 +15,7 @@
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/retarget.h"
 #include "rigless/scene/detail/stage_transform.h"
+#include "rigless/scene/body.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless_wasm {
@@ -32,6 +33,7 @@ using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
 using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
+using Solve = rigless::Solve;
 
 // Constants that both sides know.
 inline constexpr double fps = rigless::performance_fps;            // of every performance
@@ -70,11 +72,12 @@ static_assert(sizeof(Number) == sizeof(double) && sizeof(Vector) == 3 * sizeof(d
 // Where a mesh is held.
 struct ControlInput {
   Number vertex;
-  Number radius;  // of the disc along the surface, metres
+  Number radius;  // of the disc along the surface or of the ball in the solid, metres
+  Flag slab;      // of a solid: holds a level slab instead of a ball
 };
 
 inline rigless::Control<float> control(const ControlInput& c) {
-  return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value)};
+  return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value), c.slab.value != 0};
 }
 
 struct BodyReport {

@@ -38,8 +38,9 @@ RIGLESS_EXPORT void body_delete(ObjectHandle body) { bodies.remove(body); }
 
 // positions: V x 3; faces: F x 3. Forgets controls. On failure the body keeps what it had.
 RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
-                                          const std::int32_t* faces, std::int32_t face_count) {
-  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count)));
+                                          const std::int32_t* faces, std::int32_t face_count, std::int32_t solve) {
+  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
+                                    static_cast<rigless::Solve>(solve)));
 }
 
 RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
@@ -71,11 +72,11 @@ RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, s
 }
 
 RIGLESS_EXPORT const float* body_positions(ObjectHandle body) {
-  return bodies[body].deformer().positions().data()->data();
+  return bodies[body].positions().data()->data();
 }
 
 RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) {
-  return static_cast<double>(bodies[body].volume_ratio(bodies[body].deformer().positions()));
+  return static_cast<double>(bodies[body].volume_ratio());
 }
 
 // C x 3, at rest
@@ -96,11 +97,11 @@ RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_
   b.body = &bodies[body];
   const auto assign = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
   b.performance.frames = frames;
-  assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->deformer().controls()));
+  assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->controls()));
   assign(b.performance.yaw, view<float>(yaw, frames));
   assign(b.performance.travel, view<std::array<float, 2>>(travel, frames));
   assign(b.performance.flights, view<rigless::Flight>(flights, flight_count));
-  b.bake.bind(b.body->deformer(), b.performance, volume);
+  b.bake.bind(*b.body, b.performance, volume);
 }
 
 // Makes a frame: bake_positions(), V x 3 in the world, and bake_root().
@@ -115,6 +116,6 @@ RIGLESS_EXPORT const BakeRoot* bake_root(ObjectHandle bake) {
   return answer<BakeRoot>({
       .position = b.bake.root().position,
       .yaw = b.bake.root().yaw,
-      .volume_ratio = b.body->volume_ratio(b.bake.positions()),
+      .volume_ratio = b.body->volume_ratio(),
   });
 }

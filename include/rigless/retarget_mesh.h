@@ -204,7 +204,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   Performance<double> performance;
   if (const Status status = build_performance(play, performance); !status.ok()) return status;
   made->performance = performance_cast<S>(performance);
-  made->bake.bind(made->body.deformer(), made->performance, options.volume);
+  made->bake.bind(made->body, made->performance, options.volume);
   made_ = std::move(made);
   return {};
 }

@@ -40,9 +40,19 @@ class Deformer {
   // size_mismatch (rigidity).
   RIGLESS_COLD Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
+  // Binds a graph of V nodes as a surface is bound: neighbours, and a weight above 0 for each directed edge, the same both
+  // ways. Allocates. On failure the old binding stays.
+  // Errors: not_finite (node, also for a rigidity that is not above 0); size_mismatch (weights, rigidity).
+  RIGLESS_COLD Status bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                 const DeformerOptions<S>& options = {});
+
   // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old controls stay.
   // Errors: no_controls; index_out_of_range (control); factorization_failed.
   RIGLESS_COLD Status set_controls(Span<const Control<S>> controls);
+
+  // The same with controls that hold these vertices (see solid_pieces.h): at least one each.
+  // Errors: factorization_failed.
+  RIGLESS_COLD Status set_discs(Discs<S> discs);
 
   // C target positions of the controls. One that is not finite is not taken: its control stays where it was told to be
   // before. No allocation.
@@ -86,7 +96,7 @@ class Deformer {
   Span<const Vec3<S>> shape() const { return shape_; }
   Span<const Vec3<S>> positions() const { return positions_; }
   Span<const Mat3<S>> disc_rotations() const { return disc_rotation_; }
-  const Discs& discs() const { return discs_; }
+  const Discs<S>& discs() const { return discs_; }
   const Cells<S>& cells() const { return cells_; }
   std::int32_t vertices() const { return count_of(cells_); }
   std::int32_t controls() const { return count_of(discs_); }
@@ -100,6 +110,7 @@ class Deformer {
  private:
   using Quad = simd::Quad<S>;
 
+  void begin(const DeformerOptions<S>& options);
   Quad& row(Span<Quad> rows, std::size_t vertex) { return nth(rows, system_.place()[vertex]); }
   Vec3<S> position(std::size_t vertex);
   template <bool with_energy>
@@ -112,7 +123,7 @@ class Deformer {
 
   Cells<S> cells_;
   ElasticScale<S> elastic_;
-  Discs discs_;
+  Discs<S> discs_;
   HardRows<S> system_;
   CellSlices<S> slices_;
   std::vector<Vec3<S>> targets_;        // C
@@ -130,6 +141,21 @@ class Deformer {
 template <class S, class Weights>
 Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options) {
   if (const Status s = build_cells<Weights, S>(rest, faces, options.rigidity, cells_); !s.ok()) return s;
+  begin(options);
+  return {};
+}
+
+template <class S, class Weights>
+Status Deformer<S, Weights>::bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                        const DeformerOptions<S>& options) {
+  if (const Status s = graph_cells<S>(rest, ring, weight, options.rigidity, cells_); !s.ok()) return s;
+  begin(options);
+  return {};
+}
+
+// With new cells and no controls.
+template <class S, class Weights>
+void Deformer<S, Weights>::begin(const DeformerOptions<S>& options) {
   elastic_.mu = options.elastic;
   system_.bind(cells_);
   slices_ = slice_cells(cells_, system_.place(), system_.vertex_at());
@@ -143,21 +169,24 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
   shape_.resize(cells_.size());
   positions_.resize(cells_.size());
   reset();
-  return {};
 }
 
 template <class S, class Weights>
 Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
-  Discs discs;
+  Discs<S> discs;
   if (const Status s = make_discs(cells_, controls, discs); !s.ok()) return s;
+  return set_discs(std::move(discs));
+}
+
+template <class S, class Weights>
+Status Deformer<S, Weights>::set_discs(Discs<S> discs) {
   if (const Status s = system_.hold(cells_, discs_, discs); !s.ok()) return s;
   discs_ = std::move(discs);
   seams_ = find_seams(cells_, discs_);
   moved_.assign(discs_.member.size(), Quad{});
-  targets_.clear();
-  for (std::int32_t v : discs_.center) targets_.push_back(nth(cells_.rest, v));
-  disc_rotation_.assign(controls.size(), Mat3<S>::Identity());
-  turned_.assign(controls.size(), 0);
+  targets_ = discs_.center;
+  disc_rotation_.assign(discs_.size(), Mat3<S>::Identity());
+  turned_.assign(discs_.size(), 0);
   reset();
   return {};
 }

@@ -176,7 +176,7 @@ export class Opening {
       job.step(2);
       const file = await sources.addModel(first.name, model, [first, ...beside]);
       const guess = await guesses.of(model);
-      const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }) };
+      const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }), solve: "solid" };
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
       const { report } = await this.change(named(commands.setMesh(mesh)(history.document)), job, gesture);
       selection.endIntro();

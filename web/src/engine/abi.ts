@@ -1,7 +1,7 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 2058428670;
+export const ABI = 1396692782;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -76,14 +76,19 @@ export type BodyPart = (typeof BODY_PART_NAMES)[number];
 export const BODY_SIDE_NAMES = ["none", "left", "right"] as const;
 export type BodySide = (typeof BODY_SIDE_NAMES)[number];
 
+export const SOLVE_NAMES = ["surface", "solid"] as const;
+export type Solve = (typeof SOLVE_NAMES)[number];
+
 /** Where a mesh is held. */
 export interface ControlInput {
   vertex: number;
-  /** Of the disc along the surface, metres. */
+  /** Of the disc along the surface or of the ball in the solid, metres. */
   radius: number;
+  /** Of a solid: holds a level slab instead of a ball. */
+  slab: boolean;
 }
 
-export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius];
+export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius, Number(one.slab)];
 
 export interface BodyReport {
   /** NaN when open. */
@@ -287,6 +292,7 @@ export interface RiglessExports {
     vertices: number,
     faces: Pointer<Integers>,
     faceCount: number,
+    solve: number,
   ): PackedStatus;
   body_report(body: Handle): Pointer<BodyReport>;
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;

@@ -2,7 +2,7 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole, ControlInput, BodyPart as CorePart, BodySide as CoreSide } from "./abi";
+import type { BodyRole, ControlInput as CoreControl, BodyPart as CorePart, BodySide as CoreSide, Solve } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -16,10 +16,15 @@ export interface MeshInput {
   faces: Uint32Array;
 }
 
+export interface BoundMeshInput extends MeshInput {
+  /** What is solved: the surface itself, or a solid inside it that carries it; default "surface". */
+  solve?: Solve;
+}
+
 export interface MeshReport {
   vertices: number;
   faces: number;
-  /** Volume in cubic metres; null for an open surface. */
+  /** Volume in cubic metres, of what is solved; null for an open surface. */
   volume: number | null;
   boundaryEdges: number;
   nonManifoldEdges: number;
@@ -31,7 +36,10 @@ export interface MeshReport {
 
 export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 
-export type { ControlInput };
+/** Where a mesh is held; a ball unless `slab` says otherwise. */
+export type ControlInput = Omit<CoreControl, "slab"> & Partial<Pick<CoreControl, "slab">>;
+
+export type { Solve };
 
 /** What a point of a body is; a tip is an extremity without a name: an ear, a horn, a wing. */
 export type { BodyRole };
@@ -212,7 +220,7 @@ export interface CallOptions {
 
 export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
-  setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport>;
+  setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport>;
   /** Guesses how a mesh stands and where to hold it; binds nothing. Any axes and units. Rejects with bad_mesh. */
   analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis>;
   /** Binds controls on the present mesh (ordering, factorisation). */

@@ -4,20 +4,24 @@
 import { clipOf } from "../document/clips";
 import { pointToStage, toStage } from "../document/stage";
 import type { Clip, MeshRef, Pin, ProjectDocument } from "../document/types";
-import type { ConstraintInput, ContactInput, ControlInput, MeshInput, Motion, RetargetInput } from "../engine/types";
+import type { BoundMeshInput, ConstraintInput, ContactInput, ControlInput, Motion, RetargetInput, Solve } from "../engine/types";
 import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
 import { exampleJoints, pointJoints } from "./pairing";
 import { type SolverModel, stageFor } from "./placement";
 import { exampleControls, own, pointPartners, pointVertices } from "./point-controls";
 
-export function meshInput(model: SolverModel, mesh: MeshRef): MeshInput {
-  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces };
+/** What of a model is solved. */
+export const solveOf = (mesh: MeshRef): Solve => mesh.solve ?? "surface";
+
+export function meshInput(model: SolverModel, mesh: MeshRef): BoundMeshInput {
+  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces, solve: solveOf(mesh) };
 }
 
 export function controlInputs(model: SolverModel, document: Pick<ProjectDocument, "points">): ControlInput[] {
   return pointVertices(model, document.points).map((vertex, c) => ({
     vertex,
     radius: (document.points[c].radius ?? DEFAULT_RADIUS) * STAGE_HEIGHT,
+    slab: document.points[c].slab ?? false,
   }));
 }
 

@@ -10,14 +10,14 @@ void Deformer<S, Weights>::start() {
   RIGLESS_ASSERT(discs_.size() > 0);
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
   for (std::size_t c = 0; c < targets_.size(); ++c) {
-    from += nth(cells_.rest, discs_.center[c]);
+    from += discs_.center[c];
     to += targets_[c];
   }
   from /= static_cast<S>(targets_.size());
   to /= static_cast<S>(targets_.size());
   Mat3<S> C = Mat3<S>::Zero();
   for (std::size_t c = 0; c < targets_.size(); ++c) {
-    C += (nth(cells_.rest, discs_.center[c]) - from) * (targets_[c] - to).transpose();
+    C += (discs_.center[c] - from) * (targets_[c] - to).transpose();
   }
   const Mat3<S> R = nearest_rotation(C);
   for (std::size_t v = 0; v < cells_.size(); ++v) {
@@ -121,7 +121,7 @@ void Deformer<S, Weights>::turn_discs() {
 template <class S, class Weights>
 void Deformer<S, Weights>::hold() {
   for (std::size_t c = 0; c < discs_.size(); ++c) {
-    const Vec3<S>& center = nth(cells_.rest, discs_.center[c]);
+    const Vec3<S>& center = discs_.center[c];
     for (std::int32_t m = discs_.first[c]; m < discs_.first[c + 1]; ++m) {
       const auto v = to_size(nth(discs_.member, m));
       const Vec3<S> p = targets_[c] + disc_rotation_[c] * (cells_.rest[v] - center);
