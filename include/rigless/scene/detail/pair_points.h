@@ -55,6 +55,7 @@ Status guess_points(const ShapeAnalysis<S>& shape, S height, const StagedMotion<
     Point out;
     out.vertex = point.vertex;
     out.radius = point.radius / height;
+    out.slab = point.role == BodyRole::hips || point.role == BodyRole::chest;
     points.push_back(out);
     joints.push_back(joint_of_point(motion.roles, point));
   }
