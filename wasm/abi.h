@@ -34,11 +34,11 @@ using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
 
 // Constants that both sides know.
-inline constexpr double fps = rigless::performance_fps;            // of every performance
-inline constexpr double person_height = rigless::person_height;    // metres, where nothing better is known
-inline constexpr double stage_height = rigless::stage_height;      // how tall a model stands on the stage, metres
-inline constexpr double width_share = rigless::width_share;        // how much of its width counts as height
-inline constexpr double default_radius = rigless::default_radius;  // of a point, in model heights
+inline constexpr double fps = rigless::performance_fps;              // of every performance
+inline constexpr double person_height = rigless::person_height;      // metres, where nothing better is known
+inline constexpr double stage_height = rigless::stage_height;        // how tall a model stands on the stage, metres
+inline constexpr double width_share = rigless::detail::width_share;  // how much of its width counts as height
+inline constexpr double default_radius = rigless::default_radius;    // of a point, in model heights
 inline constexpr double default_smoothness = rigless::default_smoothness;  // weight of acceleration at 30 fps
 
 // Field types: one double each, a vector three.

@@ -44,7 +44,7 @@ RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positi
 
 RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
   const rigless::MeshTopology& t = bodies[body].topology();
-  const rigless::Bounds<float> box = rigless::bounds(bodies[body].rest());
+  const rigless::detail::Bounds<float> box = rigless::detail::bounds(bodies[body].rest());
   return answer<BodyReport>({
       .volume = bodies[body].volume(),
       .boundary_edges = t.boundary_edges,

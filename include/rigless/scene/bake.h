@@ -68,7 +68,7 @@ class Bake {
   Span<const Vec3<S>> deform(std::int32_t f) {
     const std::size_t controls = performance_->control_count();
     const Span<const Vec3<S>> tracks = performance_->controls;
-    deform_from_rest(*deformer_, tracks.subspan(to_size(f) * controls, controls), volume_);
+    detail::deform_from_rest(*deformer_, tracks.subspan(to_size(f) * controls, controls), volume_);
     const Span<const Vec3<S>> local = deformer_->positions();
     S lowest = std::numeric_limits<S>::max();
     for (const Vec3<S>& p : local) lowest = std::min(lowest, p.y());
@@ -84,11 +84,11 @@ class Bake {
   // The height of the body's origin: a throw that lands exactly. The sum of flight_heights(), without its table.
   // Source: thesis Eq 3.31.
   S height_in_flight(const Flight& flight, std::int32_t f) {
-    const S g = gravity_per_frame(static_cast<S>(performance_fps));
+    const S g = detail::gravity_per_frame(static_cast<S>(performance_fps));
     const S start = -lowest(flight.take_off);
     const S end = -lowest(flight.landing);
     const auto k = static_cast<S>(f - flight.take_off);
-    return start + k * flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
+    return start + k * detail::flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
   }
 
   Deformer<S>* deformer_ = nullptr;

@@ -20,7 +20,7 @@ class Body {
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
-    volume_ = signed_volume(rest, faces);
+    volume_ = detail::signed_volume(rest, faces);
     return {};
   }
 
@@ -47,7 +47,7 @@ class Body {
   // Volume of a deformed surface (V) over that of the rest mesh; NaN where an open mesh has none. No allocation.
   S volume_ratio(Span<const Vec3<S>> surface) const {
     if (!closed()) return std::numeric_limits<S>::quiet_NaN();
-    return signed_volume<S>(surface, faces_) / volume_;
+    return detail::signed_volume<S>(surface, faces_) / volume_;
   }
 
   bool closed() const { return topology_.closed() && volume_ != S(0); }
@@ -65,7 +65,7 @@ class Body {
   MeshTopology topology_;
   S volume_ = 0;
   Deformer<S> deformer_;
-  Drag<S> drag_;
+  detail::Drag<S> drag_;
 };
 
 }  // namespace rigless

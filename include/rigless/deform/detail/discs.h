@@ -10,7 +10,7 @@
 namespace rigless {
 
 // The vertices that controls hold. A vertex belongs to the nearest control; a control's own vertex always to itself, or
-// to the first of those that share it.
+// to the first of those that share it. Public through Deformer::discs().
 struct Discs {
   std::vector<std::int32_t> owner;   // V: control, or -1 where the surface is free
   std::vector<std::int32_t> center;  // C: vertex
@@ -20,6 +20,10 @@ struct Discs {
   bool holds(std::size_t vertex) const { return owner[vertex] >= 0; }
   std::size_t size() const { return center.size(); }
 };
+
+}  // namespace rigless
+
+namespace rigless::detail {
 
 // Grows the discs. Allocates. Errors: no_controls; index_out_of_range (where: control).
 template <class S>
@@ -122,4 +126,4 @@ Mat3<S> fit_disc(DiscSeams<S>& seams, const Discs& discs, std::size_t c, const T
   return nearest_rotation(C);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail
