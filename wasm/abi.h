@@ -36,11 +36,11 @@ using BodySide = rigless::BodySide;
 using Solve = rigless::Solve;
 
 // Constants that both sides know.
-inline constexpr double fps = rigless::performance_fps;            // of every performance
-inline constexpr double person_height = rigless::person_height;    // metres, where nothing better is known
-inline constexpr double stage_height = rigless::stage_height;      // how tall a model stands on the stage, metres
-inline constexpr double width_share = rigless::width_share;        // how much of its width counts as height
-inline constexpr double default_radius = rigless::default_radius;  // of a point, in model heights
+inline constexpr double fps = rigless::performance_fps;              // of every performance
+inline constexpr double person_height = rigless::person_height;      // metres, where nothing better is known
+inline constexpr double stage_height = rigless::stage_height;        // how tall a model stands on the stage, metres
+inline constexpr double width_share = rigless::detail::width_share;  // how much of its width counts as height
+inline constexpr double default_radius = rigless::default_radius;    // of a point, in model heights
 inline constexpr double default_smoothness = rigless::default_smoothness;  // weight of acceleration at 30 fps
 
 // Field types: one double each, a vector three.
@@ -89,6 +89,13 @@ struct BodyReport {
   Number degenerate_faces;
   Number floor;   // height of the lowest vertex above y = 0
   Number height;  // from there to the highest vertex
+};
+
+// What is solved inside a mesh; empty when its surface is.
+struct SolidInfo {
+  Number nodes;     // N
+  Number elements;  // E
+  Number cell;      // edge of an element, metres
 };
 
 struct BakeRoot {

@@ -46,7 +46,7 @@ const doubles = (type) => (type === "Vector" ? 3 : 1);
 function describe() {
   const text = read("wasm/abi.h");
   const enums = [...text.matchAll(/^using (\w+) = rigless::(\w+);$/gm)].map(([, name, of]) => ({ name, names: enumerators(of) }));
-  const constants = [...text.matchAll(/^inline constexpr double (\w+) = rigless::(\w+);(?: +\/\/ (.*))?$/gm)].map(
+  const constants = [...text.matchAll(/^inline constexpr double (\w+) = rigless::(?:detail::)?(\w+);(?: +\/\/ (.*))?$/gm)].map(
     ([, name, of, comment = ""]) => ({ name, comment, value: constant(of) }),
   );
   const structs = [...text.matchAll(/((?:^\/\/ .*\n)*)^struct (\w+) \{\n([^}]*)^\};$/gm)]

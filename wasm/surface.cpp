@@ -14,6 +14,7 @@ using rigless_wasm::HandleTable;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
 using rigless_wasm::PackedStatus;
+using rigless_wasm::SolidInfo;
 using rigless_wasm::view;
 
 namespace {
@@ -45,7 +46,7 @@ RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positi
 
 RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
   const rigless::MeshTopology& t = bodies[body].topology();
-  const rigless::Bounds<float> box = rigless::bounds(bodies[body].rest());
+  const rigless::detail::Bounds<float> box = rigless::detail::bounds(bodies[body].rest());
   return answer<BodyReport>({
       .volume = bodies[body].volume(),
       .boundary_edges = t.boundary_edges,
@@ -74,6 +75,25 @@ RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, s
 RIGLESS_EXPORT const float* body_positions(ObjectHandle body) {
   return bodies[body].positions().data()->data();
 }
+
+// The solid inside the mesh, when that is solved: N x 3 nodes at rest, E x 8 of them, V elements or -1; and N x 12, rows
+// of (B | b), how they carry the mesh as body_drag() left it.
+RIGLESS_EXPORT const SolidInfo* body_solid(ObjectHandle body) {
+  const rigless::Solid<float>& solid = bodies[body].solid();
+  return answer<SolidInfo>({.nodes = solid.nodes(), .elements = solid.elements(), .cell = solid.cell});
+}
+
+RIGLESS_EXPORT const float* body_solid_nodes(ObjectHandle body) { return bodies[body].solid().rest.data()->data(); }
+
+RIGLESS_EXPORT const std::int32_t* body_solid_elements(ObjectHandle body) {
+  return bodies[body].solid().element.data()->data();
+}
+
+RIGLESS_EXPORT const std::int32_t* body_solid_element_of(ObjectHandle body) {
+  return bodies[body].solid().element_of.data();
+}
+
+RIGLESS_EXPORT const float* body_maps(ObjectHandle body) { return bodies[body].maps().data()->data(); }
 
 RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) {
   return static_cast<double>(bodies[body].volume_ratio());
@@ -110,6 +130,9 @@ RIGLESS_EXPORT PackedStatus bake_frame(ObjectHandle bake, std::int32_t frame) {
 }
 
 RIGLESS_EXPORT const float* bake_positions(ObjectHandle bake) { return bakes[bake].bake.positions().data()->data(); }
+
+// N x 12, into the world.
+RIGLESS_EXPORT const float* bake_maps(ObjectHandle bake) { return bakes[bake].bake.maps().data()->data(); }
 
 RIGLESS_EXPORT const BakeRoot* bake_root(ObjectHandle bake) {
   const BodyBake& b = bakes[bake];

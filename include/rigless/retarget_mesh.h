@@ -88,7 +88,7 @@ class RetargetedMesh {
 
  private:
   struct Made {
-    StageTransform<S> stage;
+    detail::StageTransform<S> stage;
     std::vector<MeshPoint<S>> points;  // C
     Body<S> body;
     Performance<S> performance;
@@ -152,7 +152,7 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
 template <class S>
 Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options) {
   StagedMotion<double> motion;
-  if (const Status status = read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
+  if (const Status status = detail::read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
 
   const MeshAxes axes = options.axes.value_or(MeshAxes{});
   Posture<S> posture = detail::posture_of<S>(axes);
@@ -167,7 +167,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   }
 
   auto made = std::make_unique<Made>();
-  made->stage = stage_transform(input.vertices, posture);
+  made->stage = detail::stage_transform(input.vertices, posture);
   std::vector<Vec3<S>> rest;
   for (const Vec3<S>& p : input.vertices) rest.push_back(made->stage.to_stage(p));
   if (const Status status = made->body.set_mesh(rest, input.faces, options.solve); !status.ok()) return status;
@@ -175,8 +175,8 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   std::vector<std::int32_t> joints;  // C
   made->points.assign(input.points.begin(), input.points.end());
   const auto height = static_cast<S>(stage_height / made->stage.scale);
-  const Status found = input.points.empty() ? guess_points(shape, height, motion, made->points, joints)
-                                            : find_points(input.vertices, motion, made->points, joints);
+  const Status found = input.points.empty() ? detail::guess_points(shape, height, motion, made->points, joints)
+                                            : detail::find_points(input.vertices, motion, made->points, joints);
   if (!found.ok()) return found;
   std::vector<Control<S>> controls;
   for (std::size_t c = 0; c < joints.size(); ++c) {
@@ -194,7 +194,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
     return status;
   std::vector<Vec3<double>> resting;
   for (const Vec3<S>& p : made->body.rest_controls()) resting.push_back(p.template cast<double>());
-  const Bounds<S> box = bounds(made->body.rest());
+  const detail::Bounds<S> box = detail::bounds(made->body.rest());
   PerformanceInput<double> play;
   play.motion = &motion;
   play.pairs = joints;

@@ -29,7 +29,7 @@ class Bake {
     performance_ = &performance;
     volume_ = volume;
     positions_.resize(to_size(body.vertices()));
-    transforms_.resize(body.transforms().size());
+    maps_.resize(body.transforms().size());
     lowest_.assign(to_size(performance.frames), std::numeric_limits<S>::quiet_NaN());
   }
 
@@ -61,12 +61,11 @@ class Bake {
     return positions_;
   }
 
-  // N, likewise: the maps with which the nodes of a solid carry its mesh into the world.
-  Span<const NodeTransform<S>> transforms() {
+  // N, likewise: the maps with which the nodes of a solid carry its mesh into the world. No allocation.
+  Span<const detail::NodeMap<S>> maps() {
     const Mat3<S> turn = Eigen::AngleAxis<S>(root_.yaw, Vec3<S>::UnitY()).toRotationMatrix();
-    const Span<const NodeTransform<S>> local = body_->transforms();
-    for (std::size_t n = 0; n < local.size(); ++n) transforms_[n] = local[n].moved(turn, root_.position);
-    return transforms_;
+    detail::node_maps<S>(body_->solid(), body_->transforms(), turn, root_.position, maps_);
+    return maps_;
   }
 
   const Root& root() const { return root_; }
@@ -94,19 +93,19 @@ class Bake {
   // The height of the body's origin: a throw that lands exactly. The sum of flight_heights(), without its table.
   // Source: thesis Eq 3.31.
   S height_in_flight(const Flight& flight, std::int32_t f) {
-    const S g = gravity_per_frame(static_cast<S>(performance_fps));
+    const S g = detail::gravity_per_frame(static_cast<S>(performance_fps));
     const S start = -lowest(flight.take_off);
     const S end = -lowest(flight.landing);
     const auto k = static_cast<S>(f - flight.take_off);
-    return start + k * flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
+    return start + k * detail::flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
   }
 
   Body<S>* body_ = nullptr;
   const Performance<S>* performance_ = nullptr;
   S volume_ = 1;
-  std::vector<Vec3<S>> positions_;            // V
-  std::vector<NodeTransform<S>> transforms_;  // N
-  std::vector<S> lowest_;                     // T: y of the lowest local vertex; NaN until it is known
+  std::vector<Vec3<S>> positions_;         // V
+  std::vector<detail::NodeMap<S>> maps_;   // N
+  std::vector<S> lowest_;                  // T: y of the lowest local vertex; NaN until it is known
   Root root_;
 };
 

@@ -7,6 +7,7 @@
 #include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
+#include "rigless/scene/detail/node_maps.h"
 #include "rigless/scene/detail/drag.h"
 
 namespace rigless {
@@ -27,7 +28,7 @@ class Body {
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
-    volume_ = solve_ == Solve::solid ? solid_volume(solid_, {solid_.rest}) : signed_volume(rest, faces);
+    volume_ = solve_ == Solve::solid ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
     return {};
   }
 
@@ -54,34 +55,45 @@ class Body {
 
   // The mesh for these C finite targets; depends on nothing but them. No allocation.
   void act(Span<const Vec3<S>> targets, S volume) {
-    deform_from_rest(deformer_, targets, volume);
+    detail::deform_from_rest(deformer_, targets, volume);
     take_shape();
   }
 
   // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
   Span<const Vec3<S>> positions() {
     if (solve_ == Solve::surface) return deformer_.positions();
-    if (!carried_is_new_) carry_positions<S>(solid_, rest_, transforms_, carried_);
+    if (!carried_is_new_) carry_points<S>(solid_, rest_, transforms_, carried_);
     carried_is_new_ = true;
     return carried_;
   }
 
-  // N maps, with which the nodes of a solid carry its mesh, as the last drag() or act() left them.
+  // N, with which the nodes of a solid carry its mesh, as the last drag() or act() left them.
   Span<const NodeTransform<S>> transforms() const { return transforms_; }
+
+  // N, likewise: as a graphics card takes them. No allocation.
+  Span<const detail::NodeMap<S>> maps() {
+    detail::node_maps<S>(solid_, transforms_, Mat3<S>::Identity(), Vec3<S>::Zero(), maps_);
+    return maps_;
+  }
 
   // y of the lowest vertex, as the last drag() or act() left them. No allocation.
   S lowest() const {
-    if (solve_ == Solve::solid) return lowest_carried<S>(solid_, soles_, transforms_);
     S lowest = std::numeric_limits<S>::max();
+    if (solve_ == Solve::solid) {
+      for (const std::int32_t v : outermost_)
+        lowest = std::min(lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v),
+                                                        transforms_.data()).y());
+      return lowest;
+    }
     for (const Vec3<S>& p : deformer_.positions()) lowest = std::min(lowest, p.y());
     return lowest;
   }
 
   // Volume now over that at rest; NaN where an open surface has none. No allocation.
   S volume_ratio() const {
-    if (solve_ == Solve::solid) return solid_volume(solid_, deformer_.positions()) / volume_;
+    if (solve_ == Solve::solid) return rigless::volume<S>(solid_, deformer_.positions()) / volume_;
     if (!closed()) return std::numeric_limits<S>::quiet_NaN();
-    return signed_volume<S>(deformer_.positions(), faces_) / volume_;
+    return detail::signed_volume<S>(deformer_.positions(), faces_) / volume_;
   }
 
   // Cubic units; NaN where an open surface has none.
@@ -108,6 +120,7 @@ class Body {
     solid_ = {};
     carried_ = {};
     transforms_ = {};
+    maps_ = {};
     return {};
   }
 
@@ -117,14 +130,16 @@ class Body {
     if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
     solve_ = Solve::solid;
     solid_ = std::move(solid);
+    outermost_ = outermost_vertices(solid_, rest);
     carried_.assign(rest.begin(), rest.end());
     transforms_.resize(solid_.rest.size());
+    maps_.resize(solid_.rest.size());
     return {};
   }
 
   Status hold(Span<const Control<S>> controls) {
     if (solve_ == Solve::surface) return deformer_.set_controls(controls);
-    detail::Discs<S> pieces;
+    Discs<S> pieces;
     if (const Status status = detail::make_solid_pieces<S>(solid_, rest_, controls, pieces); !status.ok())
       return status;
     return deformer_.set_discs(std::move(pieces));
@@ -142,10 +157,11 @@ class Body {
   S volume_ = 0;
   Solve solve_ = Solve::surface;
   Deformer<S> deformer_;
-  Drag<S> drag_;
+  detail::Drag<S> drag_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
-  detail::Soles<S> soles_;                    // the vertices of a solid's mesh that may be lowest
+  std::vector<detail::NodeMap<S>> maps_;      // N
+  std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest
   std::vector<Vec3<S>> carried_;              // V
   bool carried_is_new_ = false;
 };

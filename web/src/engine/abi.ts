@@ -1,7 +1,7 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1396692782;
+export const ABI = 1687148854;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -117,6 +117,18 @@ export const bodyReportRow: Row<BodyReport> = {
     height: n[7],
   }),
 };
+
+/** What is solved inside a mesh; empty when its surface is. */
+export interface SolidInfo {
+  /** N. */
+  nodes: number;
+  /** E. */
+  elements: number;
+  /** Edge of an element, metres. */
+  cell: number;
+}
+
+export const solidInfoRow: Row<SolidInfo> = { doubles: 3, read: (n) => ({ nodes: n[0], elements: n[1], cell: n[2] }) };
 
 export interface BakeRoot {
   /** Of the body's origin in the world. */
@@ -298,6 +310,11 @@ export interface RiglessExports {
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
   body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
   body_positions(body: Handle): Pointer<Float32Array>;
+  body_solid(body: Handle): Pointer<SolidInfo>;
+  body_solid_nodes(body: Handle): Pointer<Float32Array>;
+  body_solid_elements(body: Handle): Pointer<Integers>;
+  body_solid_element_of(body: Handle): Pointer<Integers>;
+  body_maps(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;
   body_rest_controls(body: Handle): Pointer<Float32Array>;
   bake_new(): Handle;
@@ -315,6 +332,7 @@ export interface RiglessExports {
   ): void;
   bake_frame(bake: Handle, frame: number): PackedStatus;
   bake_positions(bake: Handle): Pointer<Float32Array>;
+  bake_maps(bake: Handle): Pointer<Float32Array>;
   bake_root(bake: Handle): Pointer<BakeRoot>;
   motion_new(): Handle;
   motion_delete(motion: Handle): void;

@@ -21,6 +21,19 @@ export interface BoundMeshInput extends MeshInput {
   solve?: Solve;
 }
 
+/** The cells of a solid that carries a mesh: N nodes, E elements, V vertices. */
+export interface SolidCells {
+  nodeCount: number;
+  /** Edge of an element, metres. */
+  cell: number;
+  /** E x 3, the low corner at rest, stage. */
+  corners: Float32Array;
+  /** E x 8: the node at corner k, which lies (k & 1, k >> 1 & 1, k >> 2 & 1) cells from the low one. */
+  elements: Int32Array;
+  /** V: the element that carries a vertex; -1: it stays. */
+  elementOf: Int32Array;
+}
+
 export interface MeshReport {
   vertices: number;
   faces: number;

@@ -4,22 +4,7 @@
 #include "rigless/deform/detail/cells.h"
 #include "rigless/mesh/detail/shells.h"
 
-namespace rigless {
-
-// Cotangent weights, clamped; ties between shells get weight 1, about the mean of a well-shaped mesh.
-struct CotangentWeights {
-  template <class S>
-  static std::vector<S> of(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring) {
-    return cotangent_weights<S>(vertices, faces, ring);
-  }
-};
-
-struct UniformWeights {
-  template <class S>
-  static std::vector<S> of(Span<const Vec3<S>>, Span<const Face>, const OneRing& ring) {
-    return uniform_weights<S>(ring);
-  }
-};
+namespace rigless::detail {
 
 // Errors: size_mismatch; not_finite (where: vertex).
 template <class S>
@@ -91,4 +76,4 @@ RIGLESS_COLD Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

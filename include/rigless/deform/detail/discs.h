@@ -10,7 +10,7 @@
 namespace rigless {
 
 // The vertices that controls hold. A vertex belongs to the nearest control; a control's own vertex always to itself, or
-// to the first of those that share it.
+// to the first of those that share it. Public through Deformer::discs().
 template <class S>
 struct Discs {
   std::vector<std::int32_t> owner;   // V: control, or -1 where the surface is free
@@ -21,6 +21,10 @@ struct Discs {
   bool holds(std::size_t vertex) const { return owner[vertex] >= 0; }
   std::size_t size() const { return center.size(); }
 };
+
+}  // namespace rigless
+
+namespace rigless::detail {
 
 // Lists the members of C discs, whose centers and owners are told. Allocates.
 template <class S>
@@ -129,4 +133,4 @@ Mat3<S> fit_disc(DiscSeams<S>& seams, const Discs<S>& discs, std::size_t c, cons
   return nearest_rotation(C);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

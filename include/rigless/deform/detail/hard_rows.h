@@ -5,7 +5,7 @@
 #include "rigless/math/detail/bytes.h"
 #include "rigless/math/detail/supernodal_ldlt.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // A held vertex keeps a unit diagonal and no coupling, so that the pattern, and with it the elimination order, never
 // changes; when other vertices are held, only what lies above them is factored again. Source: thesis Eq 2.8, 3.16.
@@ -76,4 +76,4 @@ class HardRows {
   bool factored_ = false;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -9,7 +9,7 @@
 #include "rigless/motion/standardise.h"
 #include "rigless/scene/staged_motion.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // A BVH file, or an AMC file on the skeleton of an ASF file. Allocates. Errors: those of parse_bvh() or
 // parse_acclaim(), and of stage_motion(). On failure `motion` keeps what it had.
@@ -25,4 +25,4 @@ inline Status read_motion(std::string_view text, std::string_view skeleton, Stag
   return stage_motion(clip, roles, motion);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail
