@@ -2,7 +2,6 @@
 // along.
 #pragma once
 
-#include "rigless/math/status.h"
 #include "rigless/mesh/detail/build_solid.h"
 
 namespace rigless {
@@ -72,4 +71,57 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   return {};
 }
 
+// How a node and what is around it have moved: a point near node i goes to p + A (point - rest_i). 12 numbers, A column
+// by column and then p, and nothing else.
+template <class S>
+struct NodeTransform {
+  Mat3<S> A;
+  Vec3<S> p;
+};
+static_assert(sizeof(NodeTransform<float>) == 12 * sizeof(float));
+
+// N transforms from N present positions: p is the node's, A = .98 E + .02 R, where column a of E is the mean of the
+// node's present edges along axis a (those of the elements, turned to point along +a, bridges aside) divided by `cell`,
+// and R the rotation nearest to E. No allocation.
+template <class S>
+void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTransform<S>> out);
+
+// Where the V vertices that the solid was built from go. With rest_k and (A_k, p_k) of the node at corner k of a
+// vertex' element, in this order:
+//   x = (v - rest_0) / cell, clamped to 0 .. 1 on each axis       h(x) = x x (3 - 2 x)
+//   w_k = product over the axes a of (k >> a & 1 ? h(x_a) : 1 - h(x_a))       the eight sum to 1
+//   v'  = sum_k w_k (p_k + A_k (v - rest_k))
+// Vertices without an element stay. `out` may be `vertices`. No allocation.
+// Source: Sumner, Schmid and Pauly 2007, "Embedded deformation for shape manipulation", with hats for weights.
+template <class S>
+void carry_points(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                  Span<Vec3<S>> out);
+
+// The gradient of that map at each vertex,
+//   F = sum_k (w_k A_k + (p_k + A_k (v - rest_k)) grad_k^T)
+//   grad_k along a = (k >> a & 1 ? 1 : -1) h'(x_a) / cell times the other two factors of w_k,   h'(x) = 6 x (1 - x)
+// takes tangents with it, and its cofactors (column a: the cross product of the columns a + 1 and a + 2 of F) take
+// normals. What comes out has length 1, or is what went in where F has no such direction. `vertices` are at rest; `out`
+// may be what goes in. No allocation.
+template <class S>
+void carry_normals(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                   Span<const Vec3<S>> normals, Span<Vec3<S>> out);
+template <class S>
+void carry_tangents(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                    Span<const Vec3<S>> tangents, Span<Vec3<S>> out);
+
+// Volume of all elements at N present positions of the nodes; duplicates count each. No allocation.
+template <class S>
+S volume(const Solid<S>& solid, Span<const Vec3<S>> now);
+
+// Vertices among which the lowest of the carried model is, in any pose and to within a few hundredths of a cell: those
+// that stand out of their element in one of 26 directions, and not less than what is around. Some thousands, whatever V
+// is. Allocates.
+template <class S>
+std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid, Span<const Vec3<S>> vertices);
+
 }  // namespace rigless
+
+#include "rigless/mesh/detail/carry.h"
+#include "rigless/mesh/detail/node_transforms.h"
+#include "rigless/mesh/detail/outermost.h"
