@@ -34,6 +34,7 @@ using BodyRole = rigless::BodyRole;
 using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
 using Solve = rigless::Solve;
+using ConstraintKind = rigless::ConstraintKind;
 
 // Constants that both sides know.
 inline constexpr double fps = rigless::performance_fps;              // of every performance
@@ -78,6 +79,26 @@ struct ControlInput {
 
 inline rigless::Control<float> control(const ControlInput& c) {
   return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value), c.slab.value != 0};
+}
+
+// Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres.
+struct ConstraintInput {
+  NameOf<ConstraintKind> kind;
+  Number control;
+  Number frame;
+  Vector value;
+};
+
+inline void add(const ConstraintInput& c, rigless::Constraints<double>& to) {
+  const auto control = static_cast<std::int32_t>(c.control.value);
+  const auto frame = static_cast<std::int32_t>(c.frame.value);
+  const rigless::Vec3<double> value(c.value.x.value, c.value.y.value, c.value.z.value);
+  switch (static_cast<ConstraintKind>(c.kind.value)) {
+    case ConstraintKind::position:
+      return to.positions.push_back({control, frame, value, {true, true, true}});
+    case ConstraintKind::velocity:
+      return to.velocities.push_back({control, frame, value, {true, true, true}});
+  }
 }
 
 struct BodyReport {

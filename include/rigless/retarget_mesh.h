@@ -151,8 +151,11 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
 
 template <class S>
 Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options) {
-  StagedMotion<double> motion;
-  if (const Status status = detail::read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
+  detail::MotionRead read;
+  bool in_skeleton = false;
+  if (const Status status = detail::read_motion(input.motion, input.skeleton, read, in_skeleton); !status.ok())
+    return status;
+  const StagedMotion<double>& motion = read.staged;
 
   const MeshAxes axes = options.axes.value_or(MeshAxes{});
   Posture<S> posture = detail::posture_of<S>(axes);

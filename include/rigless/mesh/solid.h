@@ -38,7 +38,7 @@ struct Solid {
 template <class S>
 RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> faces, const SolidOptions& options,
                                 Solid<S>& out) {
-  if (const Status s = check_faces(faces, count_of(vertices)); !s.ok()) return s;
+  if (const Status s = detail::check_faces(faces, count_of(vertices)); !s.ok()) return s;
   Vec3<S> low = nth(vertices, faces[0][0]), high = low;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!std::isfinite(vertices[v].squaredNorm())) return {Error::not_finite, v};
@@ -61,7 +61,7 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   solid.element_of = lattice.element_of;
   auto pairs = lattice.edges;
   pairs.insert(pairs.end(), lattice.bridges.begin(), lattice.bridges.end());
-  solid.ring = one_ring_from_pairs(pairs, solid.nodes());
+  solid.ring = detail::one_ring_from_pairs(pairs, solid.nodes());
   solid.weight.assign(solid.ring.neighbor.size(), S(1));
   for (const auto& [a, b] : lattice.bridges) {
     nth(solid.weight, solid.ring.slot(a, b)) = Solid<S>::bridge;

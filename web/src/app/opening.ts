@@ -50,7 +50,7 @@ export class Opening {
     return this.guarded(character.name, async () => {
       const file = builtins.motions[0]?.file ?? "";
       const [document, text] = await Promise.all([this.character(character), builtins.motionText(file)]);
-      const files = sources.addMotion([file], { format: "bvh", name: file, text });
+      const files = sources.addMotion([file], { name: file, text });
       history.replace({ ...document, motion: { files } });
       history.markSaved();
     });
@@ -84,7 +84,7 @@ export class Opening {
     const file = files.at(-1) ?? "";
     await this.inTurn(file, name, async (job, isNewest) => {
       if (builtin && !workspace.library.motion(files)) {
-        sources.addMotion(files, { format: "bvh", name: file, text: await builtins.motionText(file) });
+        sources.addMotion(files, { name: file, text: await builtins.motionText(file) });
       }
       if (!isNewest()) return;
       job.step(1);

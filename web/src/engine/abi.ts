@@ -1,7 +1,22 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
+import {
+  LENGTH_UNIT_NAMES,
+  type LengthUnit,
+  UP_AXIS_NAMES,
+  type UpAxis,
+  BODY_ROLE_NAMES,
+  type BodyRole,
+  BODY_PART_NAMES,
+  type BodyPart,
+  BODY_SIDE_NAMES,
+  type BodySide,
+  CONSTRAINT_KIND_NAMES,
+  type ConstraintKind,
+} from "../util/constants";
+
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1687148854;
+export const ABI = 1280704104;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -19,66 +34,6 @@ export interface Row<T> {
   read(n: Float64Array): T;
 }
 
-export const CORE_ERROR_NAMES = [
-  "none",
-  "empty_input",
-  "not_this_format",
-  "unexpected_end",
-  "bad_number",
-  "bad_syntax",
-  "unknown_joint",
-  "duplicate_joint",
-  "unsupported",
-  "no_frames",
-  "no_faces",
-  "index_out_of_range",
-  "not_finite",
-  "no_controls",
-  "factorization_failed",
-  "size_mismatch",
-  "no_examples",
-  "bad_constraint",
-  "infeasible",
-  "out_of_memory",
-] as const;
-export type CoreError = (typeof CORE_ERROR_NAMES)[number];
-
-export const LENGTH_UNIT_NAMES = ["metre", "centimetre", "millimetre", "inch", "cmu", "foot", "none"] as const;
-export type LengthUnit = (typeof LENGTH_UNIT_NAMES)[number];
-
-export const UP_AXIS_NAMES = ["y", "z"] as const;
-export type UpAxis = (typeof UP_AXIS_NAMES)[number];
-
-export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest"] as const;
-export type BodyRole = (typeof BODY_ROLE_NAMES)[number];
-
-export const BODY_PART_NAMES = [
-  "none",
-  "hips",
-  "spine",
-  "chest",
-  "neck",
-  "head",
-  "shoulder",
-  "upper_arm",
-  "lower_arm",
-  "hand",
-  "finger",
-  "upper_leg",
-  "lower_leg",
-  "foot",
-  "toe",
-  "tip",
-  "end",
-] as const;
-export type BodyPart = (typeof BODY_PART_NAMES)[number];
-
-export const BODY_SIDE_NAMES = ["none", "left", "right"] as const;
-export type BodySide = (typeof BODY_SIDE_NAMES)[number];
-
-export const SOLVE_NAMES = ["surface", "solid"] as const;
-export type Solve = (typeof SOLVE_NAMES)[number];
-
 /** Where a mesh is held. */
 export interface ControlInput {
   vertex: number;
@@ -89,6 +44,21 @@ export interface ControlInput {
 }
 
 export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius, Number(one.slab)];
+
+/** Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres. */
+export interface ConstraintInput {
+  kind: ConstraintKind;
+  control: number;
+  frame: number;
+  value: [number, number, number];
+}
+
+export const writeConstraintInput = (one: ConstraintInput): number[] => [
+  CONSTRAINT_KIND_NAMES.indexOf(one.kind),
+  one.control,
+  one.frame,
+  ...one.value,
+];
 
 export interface BodyReport {
   /** NaN when open. */
@@ -336,9 +306,8 @@ export interface RiglessExports {
   bake_root(bake: Handle): Pointer<BakeRoot>;
   motion_new(): Handle;
   motion_delete(motion: Handle): void;
-  motion_read_bvh(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
-  motion_read_asf(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
-  motion_read_amc(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
+  motion_read(motion: Handle, text: Pointer<Uint8Array>, bytes: number, skeleton: Pointer<Uint8Array>, skeletonBytes: number): PackedStatus;
+  motion_refused_skeleton(motion: Handle): number;
   motion_info(motion: Handle): Pointer<MotionInfo>;
   motion_notes(motion: Handle): Pointer<MotionNotes>;
   motion_name(motion: Handle, joint: number): Pointer<Uint8Array>;
@@ -350,8 +319,7 @@ export interface RiglessExports {
   motion_yaw(motion: Handle): Pointer<Float32Array>;
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
-  performance_place(performance: Handle, control: number, frame: number, axes: number, x: number, y: number, z: number): void;
-  performance_still(performance: Handle, control: number, frame: number): void;
+  performance_constrain(performance: Handle, constraints: Pointer<ConstraintInput>, count: number): void;
   performance_stand(performance: Handle, control: number, begin: number, end: number): void;
   performance_fly(performance: Handle, flights: Pointer<Integers>, count: number): void;
   performance_mirror(performance: Handle, partners: Pointer<Integers>, controls: number, x: number, y: number, z: number): void;

@@ -1,6 +1,7 @@
 // The core as the server uses it: one mesh with its controls, one motion, the last performance.
 
-import { bakeRootRow, bodyReportRow, performanceInfoRow, SOLVE_NAMES, writeControlInput } from "./abi";
+import { SOLVE_NAMES } from "../util/constants";
+import { bakeRootRow, bodyReportRow, performanceInfoRow, writeControlInput } from "./abi";
 import type { BodyReport, Handle, PackedStatus, RiglessExports } from "./abi";
 import { Heap } from "./heap";
 import { engineError } from "./messages";
@@ -47,9 +48,13 @@ export class Core {
 
   setControls(controls: ControlInput[]): void {
     if (!this.#report) throw new EngineError("bad_controls", "There is no model to place controls on yet.");
-    this.#heap.lendAll(writeControlInput, controls.map((control) => ({ slab: false, ...control })), (at) => {
-      this.#check(this.#wasm.body_set_controls(this.#body, at, controls.length), { kind: "controls" });
-    });
+    this.#heap.lendAll(
+      writeControlInput,
+      controls.map((control) => ({ slab: false, ...control })),
+      (at) => {
+        this.#check(this.#wasm.body_set_controls(this.#body, at, controls.length), { kind: "controls" });
+      },
+    );
     this.#forgetBake();
     this.#controls = controls.length;
   }

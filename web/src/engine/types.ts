@@ -2,7 +2,8 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole, ControlInput as CoreControl, BodyPart as CorePart, BodySide as CoreSide, Solve } from "./abi";
+import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, Solve } from "../util/constants";
+import type { ConstraintInput, ControlInput as CoreControl } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -82,9 +83,16 @@ export interface ShapeAnalysis {
   points: BodyPoint[];
 }
 
-export type MotionInput =
-  | { format: "bvh"; name: string; text: string }
-  | { format: "acclaim"; skeletonName: string; skeleton: string; name: string; text: string };
+/** A file of text, under the name that people know it by. */
+export interface TextFile {
+  name: string;
+  text: string;
+}
+
+/** A motion in any format that the core reads, with the skeleton beside it if its format has one. */
+export interface MotionInput extends TextFile {
+  skeleton?: TextFile;
+}
 
 export interface Joint {
   name: string;
@@ -119,12 +127,7 @@ export interface ExampleInput {
   controls: Float32Array;
 }
 
-/** A constraint about one control at one frame (body-local stage metres). */
-export type ConstraintInput =
-  /** It is there, on the axes that are true; all three if none are given. */
-  | { kind: "position"; control: number; frame: number; value: [number, number, number]; axes?: [boolean, boolean, boolean] }
-  /** It is in the same place as in the frame before (velocity 0); not for frame 0. */
-  | { kind: "still"; control: number; frame: number };
+export type { ConstraintInput };
 
 /**
  * Where a control stands, said by the user instead of taken from the motion: half-open runs of frames, which replace that

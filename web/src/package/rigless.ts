@@ -26,8 +26,8 @@ export interface Mesh {
   readonly facing?: Axis;
 }
 
-/** The text of a BVH file, or those of an ASF and its AMC. */
-export type MotionText = string | { readonly asf: string; readonly amc: string };
+/** The text of a motion file; with that of the skeleton beside it where its format has one, as an AMC has an ASF. */
+export type MotionText = string | { readonly text: string; readonly skeleton: string };
 
 /** "When the human does this, my mesh does that." */
 export interface Pose {
@@ -145,8 +145,9 @@ async function retarget(engine: Engine, task: RetargetTask, options: RetargetOpt
 }
 
 function motionInput(motion: MotionText): MotionInput {
-  if (typeof motion === "string") return { format: "bvh", name: "The motion", text: motion };
-  return { format: "acclaim", skeletonName: "The ASF", skeleton: motion.asf, name: "The motion", text: motion.amc };
+  const name = "The motion";
+  if (typeof motion === "string") return { name, text: motion };
+  return { name, text: motion.text, skeleton: { name: "The skeleton", text: motion.skeleton } };
 }
 
 /** What a project file would say; what the task leaves open is guessed. */

@@ -53,7 +53,7 @@ export function pinsWithin({ pins = [] }: Clip, frames: number): readonly Pin[] 
 
 function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, frame, position }: Pin): ConstraintInput {
   const control = document.points.findIndex(({ id }) => id === point);
-  if (kind === "still" || !position) return { kind: "still", control, frame };
+  if (kind === "still" || !position) return { kind: "velocity", control, frame, value: [0, 0, 0] };
   return { kind: "position", control, frame, value: [...pointToStage(stageFor(model, document.mesh), position)] };
 }
 

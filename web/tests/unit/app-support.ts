@@ -175,7 +175,7 @@ async function cactus({ workspace }: Context): Promise<ProjectDocument> {
   const name = document.mesh.file;
   const mesh = workspace.library.addModel(name, await readModel([{ name, bytes }]));
   const text = new TextDecoder().decode(await assets.load("motions/hop.bvh"));
-  const files = workspace.library.addMotion(["hop.bvh"], { format: "bvh", name: "hop.bvh", text });
+  const files = workspace.library.addMotion(["hop.bvh"], { name: "hop.bvh", text });
   return { ...document, mesh: { ...document.mesh, file: mesh }, motion: { files } };
 }
 

@@ -63,18 +63,18 @@ RIGLESS_INNER simd::Lanes<S> polar_rotation(MatrixLanes<S>& X) {
 template <class S>
 void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTransform<S>> out) {
   RIGLESS_ASSERT(now.size() == solid.rest.size() && out.size() == now.size());
-  constexpr auto width = static_cast<std::size_t>(simd::width<S>);
+  constexpr auto width = static_cast<std::size_t>(detail::simd::width<S>);
   constexpr S to_rotation = S(0.02);
   for (std::size_t begin = 0; begin < now.size(); begin += width) {
     const std::size_t count = std::min(width, now.size() - begin);
-    MatrixLanes<S> R = {};
+    detail::MatrixLanes<S> R = {};
     for (std::size_t k = 0; k < count; ++k) {
       NodeTransform<S>& t = out[begin + k];
       t.A = detail::mean_edges(solid, now, begin + k);
       t.p = now[begin + k];
       for (int i = 0; i < 9; ++i) R.m[i][static_cast<int>(k)] = t.A(i / 3, i % 3);
     }
-    const simd::Lanes<S> fine = detail::polar_rotation(R);
+    const detail::simd::Lanes<S> fine = detail::polar_rotation(R);
     for (std::size_t k = 0; k < count; ++k) {
       const int lane = static_cast<int>(k);
       Mat3<S>& A = out[begin + k].A;
@@ -82,7 +82,7 @@ void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTr
       if (fine[lane] > S(0)) {
         for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.m[i][lane];
       } else {
-        rotation = nearest_rotation<S>(A.transpose());
+        rotation = detail::nearest_rotation<S>(A.transpose());
       }
       A += to_rotation * (rotation - A);
     }

@@ -52,8 +52,7 @@ export class ModelPanel extends SessionElement {
     </section>`;
   }
 
-  private readonly setSolid = (event: CustomEvent<boolean>): void =>
-    this.session.settings.setSolve(event.detail ? "solid" : "surface");
+  private readonly setSolid = (event: CustomEvent<boolean>): void => this.session.settings.setSolve(event.detail ? "solid" : "surface");
 
   private readonly setUp = (event: Event): void => this.session.settings.setUp((event.target as HTMLSelectElement).value as Axis);
 }
