@@ -117,7 +117,7 @@ std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
   for (const Vec3<S>& p : file) rest.push_back(onto(p));
 
   Body<S> body;
-  REQUIRE(body.set_mesh(rest, held.body.faces).ok());
+  REQUIRE(body.set_mesh(rest, held.body.faces, Solve::solid).ok());
   std::vector<Control<S>> controls;
   for (const MeshPoint<S>& point : held.points)
     controls.push_back({nearest(file, point.position), point.radius * S(1.7)});
