@@ -3,7 +3,7 @@
 import type { Gltf, GltfDocument, GltfMaterial, GltfMesh, GltfNode, GltfPrimitive, GltfSampler, Picture } from "../../gltf/document";
 import { count } from "../count";
 import { ModelError } from "../named-file";
-import { TupleTable } from "../tuple-table";
+import { TupleTable } from "../../util/tuple-table";
 import { creasedNormals } from "./creased-normals";
 import { INDICES, Packer, VERTICES } from "./packer";
 
