@@ -7,7 +7,7 @@ import { fromStage } from "../document/stage";
 import type { Axis, Example, Point, ProjectDocument, Settings, Vec3 } from "../document/types";
 import { EngineError, FPS } from "../engine/types";
 import type { Engine, Motion, MotionInput } from "../engine/types";
-import { buildSurface } from "../io/model";
+import { buildSurface } from "../io/surface";
 import type { JointRoles } from "../skeleton/pair-joints";
 import { bake } from "../sync/bake";
 import { Binding } from "../sync/binding";
@@ -121,7 +121,7 @@ async function retarget(engine: Engine, task: RetargetTask, options: RetargetOpt
   const { signal, onProgress } = options;
   const notes: string[] = [];
   const { positions, faces } = task.mesh;
-  const surface = buildSurface(NAME, { positions, index: faces }, notes);
+  const surface = buildSurface(NAME, { positions, triangles: faces }, notes);
   const binding = new Binding(engine);
   const input = motionInput(task.motion);
   const motion = await binding.takeMotion(input, (step) => ({ ...(signal && { signal }), onProgress: (done) => onProgress?.(step, done) }));
