@@ -21,7 +21,7 @@ struct Solid {
   std::vector<char> inside;              // E: 1 where no triangle passes
   std::vector<std::int32_t> element_of;  // V: the element that carries a vertex, or -1: it stays where it is
   // The graph that is solved: edges of elements with weight 1, and bridges to parts that float.
-  detail::SolidRing ring;
+  OneRing ring;
   std::vector<S> weight;  // of directed edges, symmetric, above 0
 
   static constexpr S bridge = S(0.02);  // weight of a bridge
@@ -38,7 +38,7 @@ struct Solid {
 template <class S>
 RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> faces, const SolidOptions& options,
                                 Solid<S>& out) {
-  if (const Status s = check_faces(faces, count_of(vertices)); !s.ok()) return s;
+  if (const Status s = detail::check_faces(faces, count_of(vertices)); !s.ok()) return s;
   Vec3<S> low = nth(vertices, faces[0][0]), high = low;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!std::isfinite(vertices[v].squaredNorm())) return {Error::not_finite, v};
@@ -61,7 +61,7 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   solid.element_of = lattice.element_of;
   auto pairs = lattice.edges;
   pairs.insert(pairs.end(), lattice.bridges.begin(), lattice.bridges.end());
-  solid.ring = one_ring_from_pairs(pairs, solid.nodes());
+  solid.ring = detail::one_ring_from_pairs(pairs, solid.nodes());
   solid.weight.assign(solid.ring.neighbor.size(), S(1));
   for (const auto& [a, b] : lattice.bridges) {
     nth(solid.weight, solid.ring.slot(a, b)) = Solid<S>::bridge;
@@ -125,3 +125,53 @@ std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid, Span<const V
 #include "rigless/mesh/detail/carry.h"
 #include "rigless/mesh/detail/node_transforms.h"
 #include "rigless/mesh/detail/outermost.h"
+
+namespace rigless {
+
+template <class S>
+void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTransform<S>> out) {
+  detail::fit_node_transforms(solid, now, out);
+}
+
+template <class S>
+void carry_points(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                  Span<Vec3<S>> out) {
+  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && out.size() == vertices.size());
+  RIGLESS_ASSERT(transforms.size() == solid.rest.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::int32_t e = solid.element_of[v];
+    out[v] = e < 0 ? vertices[v] : detail::carried_point(solid, e, vertices[v], transforms.data());
+  }
+}
+
+template <class S>
+void carry_normals(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                   Span<const Vec3<S>> normals, Span<Vec3<S>> out) {
+  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && transforms.size() == solid.rest.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::int32_t e = solid.element_of[v];
+    out[v] = e < 0 ? normals[v] : detail::carried_normal(solid, e, vertices[v], normals[v], transforms.data());
+  }
+}
+
+template <class S>
+void carry_tangents(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                    Span<const Vec3<S>> tangents, Span<Vec3<S>> out) {
+  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && transforms.size() == solid.rest.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::int32_t e = solid.element_of[v];
+    out[v] = e < 0 ? tangents[v] : detail::carried_tangent(solid, e, vertices[v], tangents[v], transforms.data());
+  }
+}
+
+template <class S>
+S volume(const Solid<S>& solid, Span<const Vec3<S>> now) {
+  return static_cast<S>(detail::volume_of_elements(solid, now));
+}
+
+template <class S>
+std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid, Span<const Vec3<S>> vertices) {
+  return detail::find_outermost(solid, vertices);
+}
+
+}  // namespace rigless
