@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rigless/math/detail/simd.h"
-#include "rigless/mesh/solid.h"
+#include "rigless/mesh/detail/solid_parts.h"
 
 namespace rigless::detail {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rigless/math/detail/rotation_lanes.h"
-#include "rigless/mesh/solid.h"
+#include "rigless/mesh/detail/solid_parts.h"
 
 namespace rigless::detail {
 

@@ -1,7 +1,7 @@
 // The few vertices that can be the lowest of a carried model.
 #pragma once
 
-#include "rigless/mesh/solid.h"
+#include "rigless/mesh/detail/solid_parts.h"
 
 namespace rigless::detail {
 
