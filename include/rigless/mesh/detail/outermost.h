@@ -20,7 +20,7 @@ std::array<Vec3<S>, 26> ways_out() {
 template <class S>
 RIGLESS_COLD std::vector<std::int32_t> find_outermost(const Solid<S>& solid, Span<const Vec3<S>> vertices) {
   constexpr std::size_t directions = 26;
-  const S shy = solid.cell / S(10);  // by so much less than a neighbour it may stand out
+  const S shy = solid.cell / S(2);  // by so much less than a neighbour it may stand out, since bodies bend
   const auto ways = ways_out<S>();
   struct Extreme {
     S reach = std::numeric_limits<S>::lowest();
