@@ -3,31 +3,14 @@
 #pragma once
 
 #include "rigless/mesh/detail/build_solid.h"
+#include "rigless/mesh/detail/carry.h"
+#include "rigless/mesh/detail/node_transforms.h"
+#include "rigless/mesh/detail/outermost.h"
 
 namespace rigless {
 
 struct SolidOptions {
   std::int32_t nodes = 3000;  // about that many come out: 2,000 to 4,000 are fine for a body, fewer fuse its fingers
-};
-
-// N nodes, the corners of E elements, which are cubes at rest. Elements share nodes where they hang together; where two
-// sheets of a model nearly touch, each has elements of its own at the same place.
-template <class S>
-struct Solid {
-  S cell = S(0);              // edge of an element
-  std::vector<Vec3<S>> rest;  // N
-  // E: the node at corner k, which lies (k & 1, k >> 1 & 1, k >> 2 & 1) cells from the corner 0
-  std::vector<std::array<std::int32_t, 8>> element;
-  std::vector<char> inside;              // E: 1 where no triangle passes
-  std::vector<std::int32_t> element_of;  // V: the element that carries a vertex, or -1: it stays where it is
-  // The graph that is solved: edges of elements with weight 1, and bridges to parts that float.
-  detail::SolidRing ring;
-  std::vector<S> weight;  // of directed edges, symmetric, above 0
-
-  static constexpr S bridge = S(0.02);  // weight of a bridge
-
-  std::int32_t nodes() const { return count_of(rest); }
-  std::int32_t elements() const { return count_of(element); }
 };
 
 // A solid from V vertices and F faces: soup, open, wound either way, many shells. What is far from the rest and a
@@ -71,15 +54,6 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   return {};
 }
 
-// How a node and what is around it have moved: a point near node i goes to p + A (point - rest_i). 12 numbers, A column
-// by column and then p, and nothing else.
-template <class S>
-struct NodeTransform {
-  Mat3<S> A;
-  Vec3<S> p;
-};
-static_assert(sizeof(NodeTransform<float>) == 12 * sizeof(float));
-
 // N transforms from N present positions: p is the node's, A = .98 E + .02 R, where column a of E is the mean of the
 // node's present edges along axis a (those of the elements, turned to point along +a, bridges aside) divided by `cell`,
 // and R the rotation nearest to E. No allocation.
@@ -120,8 +94,50 @@ S volume(const Solid<S>& solid, Span<const Vec3<S>> now);
 template <class S>
 std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid, Span<const Vec3<S>> vertices);
 
-}  // namespace rigless
+template <class S>
+void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTransform<S>> out) {
+  detail::fit_node_transforms(solid, now, out);
+}
 
-#include "rigless/mesh/detail/carry.h"
-#include "rigless/mesh/detail/node_transforms.h"
-#include "rigless/mesh/detail/outermost.h"
+template <class S>
+void carry_points(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                  Span<Vec3<S>> out) {
+  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && out.size() == vertices.size());
+  RIGLESS_ASSERT(transforms.size() == solid.rest.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::int32_t e = solid.element_of[v];
+    out[v] = e < 0 ? vertices[v] : detail::carried_point(solid, e, vertices[v], transforms.data());
+  }
+}
+
+template <class S>
+void carry_normals(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                   Span<const Vec3<S>> normals, Span<Vec3<S>> out) {
+  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && transforms.size() == solid.rest.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::int32_t e = solid.element_of[v];
+    out[v] = e < 0 ? normals[v] : detail::carried_normal(solid, e, vertices[v], normals[v], transforms.data());
+  }
+}
+
+template <class S>
+void carry_tangents(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
+                    Span<const Vec3<S>> tangents, Span<Vec3<S>> out) {
+  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && transforms.size() == solid.rest.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::int32_t e = solid.element_of[v];
+    out[v] = e < 0 ? tangents[v] : detail::carried_tangent(solid, e, vertices[v], tangents[v], transforms.data());
+  }
+}
+
+template <class S>
+S volume(const Solid<S>& solid, Span<const Vec3<S>> now) {
+  return static_cast<S>(detail::volume_of_elements(solid, now));
+}
+
+template <class S>
+std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid, Span<const Vec3<S>> vertices) {
+  return detail::find_outermost(solid, vertices);
+}
+
+}  // namespace rigless

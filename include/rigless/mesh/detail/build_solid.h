@@ -10,8 +10,6 @@
 
 namespace rigless::detail {
 
-using SolidRing = OneRing;
-
 // Everything of a solid but the numbers in S.
 struct Lattice {
   VoxelGrid grid;

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "rigless/math/detail/simd.h"
-#include "rigless/mesh/solid.h"
+#include "rigless/mesh/detail/solid_parts.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // Factors of the weights of the eight corners at a vertex, and what is between it and them: [1] for the far side.
 template <class S>
@@ -126,46 +124,19 @@ RIGLESS_INNER Vec3<S> unit_or(const Vec3<S>& v, const Vec3<S>& otherwise) {
                                                                            : otherwise;
 }
 
-}  // namespace detail
-
 template <class S>
-void carry_points(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
-                  Span<Vec3<S>> out) {
-  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && out.size() == vertices.size());
-  RIGLESS_ASSERT(transforms.size() == solid.rest.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const std::int32_t e = solid.element_of[v];
-    out[v] = e < 0 ? vertices[v] : detail::carried_point(solid, e, vertices[v], transforms.data());
-  }
+RIGLESS_INNER Vec3<S> carried_normal(const Solid<S>& solid, std::int32_t element, const Vec3<S>& v, const Vec3<S>& n,
+                                     const NodeTransform<S>* transforms) {
+  const GradientSum<S> sum = carried_gradient(solid, element, v, transforms);
+  const Vec3<S> f0 = sum.gradient(0), f1 = sum.gradient(1), f2 = sum.gradient(2);
+  return unit_or<S>(n[0] * f1.cross(f2) + n[1] * f2.cross(f0) + n[2] * f0.cross(f1), n);
 }
 
 template <class S>
-void carry_normals(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
-                   Span<const Vec3<S>> normals, Span<Vec3<S>> out) {
-  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && normals.size() == vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const std::int32_t e = solid.element_of[v];
-    const Vec3<S> n = normals[v];
-    out[v] = n;
-    if (e < 0) continue;
-    const auto sum = detail::carried_gradient(solid, e, vertices[v], transforms.data());
-    const Vec3<S> f0 = sum.gradient(0), f1 = sum.gradient(1), f2 = sum.gradient(2);
-    out[v] = detail::unit_or<S>(n[0] * f1.cross(f2) + n[1] * f2.cross(f0) + n[2] * f0.cross(f1), n);
-  }
+RIGLESS_INNER Vec3<S> carried_tangent(const Solid<S>& solid, std::int32_t element, const Vec3<S>& v, const Vec3<S>& t,
+                                      const NodeTransform<S>* transforms) {
+  const GradientSum<S> sum = carried_gradient(solid, element, v, transforms);
+  return unit_or<S>(t[0] * sum.gradient(0) + t[1] * sum.gradient(1) + t[2] * sum.gradient(2), t);
 }
 
-template <class S>
-void carry_tangents(const Solid<S>& solid, Span<const Vec3<S>> vertices, Span<const NodeTransform<S>> transforms,
-                    Span<const Vec3<S>> tangents, Span<Vec3<S>> out) {
-  RIGLESS_ASSERT(vertices.size() == solid.element_of.size() && tangents.size() == vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const std::int32_t e = solid.element_of[v];
-    const Vec3<S> t = tangents[v];
-    out[v] = t;
-    if (e < 0) continue;
-    const auto sum = detail::carried_gradient(solid, e, vertices[v], transforms.data());
-    out[v] = detail::unit_or<S>(t[0] * sum.gradient(0) + t[1] * sum.gradient(1) + t[2] * sum.gradient(2), t);
-  }
-}
-
-}  // namespace rigless
+}  // namespace rigless::detail

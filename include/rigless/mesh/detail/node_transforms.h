@@ -2,11 +2,9 @@
 #pragma once
 
 #include "rigless/math/detail/rotation_lanes.h"
-#include "rigless/mesh/solid.h"
+#include "rigless/mesh/detail/solid_parts.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // Mean present edges of a node along the three axes, in cells: columns of E.
 template <class S>
@@ -58,23 +56,21 @@ RIGLESS_INNER simd::Lanes<S> polar_rotation(MatrixLanes<S>& X) {
   return simd::select(length2 - S(3) < S(1e-3), fine, L{});
 }
 
-}  // namespace detail
-
 template <class S>
-void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTransform<S>> out) {
+void fit_node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTransform<S>> out) {
   RIGLESS_ASSERT(now.size() == solid.rest.size() && out.size() == now.size());
-  constexpr auto width = static_cast<std::size_t>(detail::simd::width<S>);
+  constexpr auto width = static_cast<std::size_t>(simd::width<S>);
   constexpr S to_rotation = S(0.02);
   for (std::size_t begin = 0; begin < now.size(); begin += width) {
     const std::size_t count = std::min(width, now.size() - begin);
-    detail::MatrixLanes<S> R = {};
+    MatrixLanes<S> R = {};
     for (std::size_t k = 0; k < count; ++k) {
       NodeTransform<S>& t = out[begin + k];
-      t.A = detail::mean_edges(solid, now, begin + k);
+      t.A = mean_edges(solid, now, begin + k);
       t.p = now[begin + k];
       for (int i = 0; i < 9; ++i) R.m[i][static_cast<int>(k)] = t.A(i / 3, i % 3);
     }
-    const detail::simd::Lanes<S> fine = detail::polar_rotation(R);
+    const simd::Lanes<S> fine = polar_rotation(R);
     for (std::size_t k = 0; k < count; ++k) {
       const int lane = static_cast<int>(k);
       Mat3<S>& A = out[begin + k].A;
@@ -82,7 +78,7 @@ void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTr
       if (fine[lane] > S(0)) {
         for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.m[i][lane];
       } else {
-        rotation = detail::nearest_rotation<S>(A.transpose());
+        rotation = nearest_rotation<S>(A.transpose());
       }
       A += to_rotation * (rotation - A);
     }
@@ -90,7 +86,7 @@ void node_transforms(const Solid<S>& solid, Span<const Vec3<S>> now, Span<NodeTr
 }
 
 template <class S>
-S volume(const Solid<S>& solid, Span<const Vec3<S>> now) {
+double volume_of_elements(const Solid<S>& solid, Span<const Vec3<S>> now) {
   constexpr int ways[6][2] = {{1, 2}, {2, 4}, {4, 1}, {2, 1}, {4, 2}, {1, 4}};  // from corner 0 to 7 over two others
   double six = 0;
   for (const auto& corner : solid.element) {
@@ -102,7 +98,7 @@ S volume(const Solid<S>& solid, Span<const Vec3<S>> now) {
       six += (k < 3 ? 1 : -1) * a.cross(b).dot(c);
     }
   }
-  return static_cast<S>(six / 6);
+  return six / 6;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -1,11 +1,9 @@
 // The few vertices that can be the lowest of a carried model.
 #pragma once
 
-#include "rigless/mesh/solid.h"
+#include "rigless/mesh/detail/solid_parts.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // The 26 ways from a cube to its neighbours; d and 25 - d are opposite.
 template <class S>
@@ -19,13 +17,11 @@ std::array<Vec3<S>, 26> ways_out() {
   return ways;
 }
 
-}  // namespace detail
-
 template <class S>
-RIGLESS_COLD std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid, Span<const Vec3<S>> vertices) {
+RIGLESS_COLD std::vector<std::int32_t> find_outermost(const Solid<S>& solid, Span<const Vec3<S>> vertices) {
   constexpr std::size_t directions = 26;
-  const S shy = solid.cell / S(10);  // by so much less than a neighbour it may stand out
-  const auto ways = detail::ways_out<S>();
+  const S shy = solid.cell / S(2);  // by so much less than a neighbour it may stand out, since bodies bend
+  const auto ways = ways_out<S>();
   struct Extreme {
     S reach = std::numeric_limits<S>::lowest();
     std::int32_t vertex = -1;
@@ -64,4 +60,4 @@ RIGLESS_COLD std::vector<std::int32_t> outermost_vertices(const Solid<S>& solid,
   return out;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail
