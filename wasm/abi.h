@@ -112,10 +112,11 @@ struct BodyReport {
   Number height;  // from there to the highest vertex
 };
 
-// What is solved inside a mesh; empty when its surface is.
+// What is solved inside a mesh.
 struct SolidInfo {
   Number nodes;     // N
   Number elements;  // E
+  Number edges;     // directed
   Number cell;      // edge of an element, metres
 };
 

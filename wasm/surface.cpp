@@ -14,7 +14,6 @@ using rigless_wasm::HandleTable;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
 using rigless_wasm::PackedStatus;
-using rigless_wasm::SolidInfo;
 using rigless_wasm::view;
 
 namespace {
@@ -39,9 +38,29 @@ RIGLESS_EXPORT void body_delete(ObjectHandle body) { bodies.remove(body); }
 
 // positions: V x 3; faces: F x 3. Forgets controls. On failure the body keeps what it had.
 RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
-                                          const std::int32_t* faces, std::int32_t face_count, std::int32_t solve) {
+                                          const std::int32_t* faces, std::int32_t face_count) {
   return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
-                                    static_cast<rigless::Solve>(solve)));
+                                    rigless::Solid<float>{}));
+}
+
+// The same mesh, solved by the solid that was built from it: solid_info() and what follows it, as they are.
+RIGLESS_EXPORT PackedStatus body_set_solid_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
+                                                const std::int32_t* faces, std::int32_t face_count, double cell,
+                                                const float* nodes, std::int32_t node_count,
+                                                const std::int32_t* elements, std::int32_t element_count,
+                                                const std::int32_t* element_of, const std::int32_t* first,
+                                                const std::int32_t* neighbors, const float* weights) {
+  rigless::Solid<float> solid;
+  const auto take = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
+  solid.cell = static_cast<float>(cell);
+  take(solid.rest, view<Vec3f>(nodes, node_count));
+  take(solid.element, view<std::array<std::int32_t, 8>>(elements, element_count));
+  take(solid.element_of, view<std::int32_t>(element_of, vertices));
+  take(solid.ring.first, view<std::int32_t>(first, node_count + 1));
+  take(solid.ring.neighbor, view<std::int32_t>(neighbors, solid.ring.first.back()));
+  take(solid.weight, view<float>(weights, solid.ring.first.back()));
+  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
+                                    std::move(solid)));
 }
 
 RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
@@ -74,23 +93,7 @@ RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, s
 
 RIGLESS_EXPORT const float* body_positions(ObjectHandle body) { return bodies[body].positions().data()->data(); }
 
-// The solid inside the mesh, when that is solved: N x 3 nodes at rest, E x 8 of them, V elements or -1; and N x 12,
-// rows of (B | b), how they carry the mesh as body_drag() left it.
-RIGLESS_EXPORT const SolidInfo* body_solid(ObjectHandle body) {
-  const rigless::Solid<float>& solid = bodies[body].solid();
-  return answer<SolidInfo>({.nodes = solid.nodes(), .elements = solid.elements(), .cell = solid.cell});
-}
-
-RIGLESS_EXPORT const float* body_solid_nodes(ObjectHandle body) { return bodies[body].solid().rest.data()->data(); }
-
-RIGLESS_EXPORT const std::int32_t* body_solid_elements(ObjectHandle body) {
-  return bodies[body].solid().element.data()->data();
-}
-
-RIGLESS_EXPORT const std::int32_t* body_solid_element_of(ObjectHandle body) {
-  return bodies[body].solid().element_of.data();
-}
-
+// N x 12, rows of (B | b): how the nodes of a solid carry the mesh as body_drag() left it.
 RIGLESS_EXPORT const float* body_maps(ObjectHandle body) { return bodies[body].maps().data()->data(); }
 
 RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) { return static_cast<double>(bodies[body].volume_ratio()); }

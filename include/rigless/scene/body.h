@@ -23,8 +23,17 @@ class Body {
   // V rest positions and F faces; forgets controls. Allocates. Errors: those of Deformer::bind() and build_solid(). On
   // failure the old mesh and its controls stay.
   Status set_mesh(Span<const Vec3<S>> rest, Span<const Face> faces, Solve solve = Solve::surface) {
-    if (const Status status = solve == Solve::solid ? bind_solid(rest, faces) : bind_surface(rest, faces); !status.ok())
+    Solid<S> solid;
+    if (solve == Solve::surface) return set_mesh(rest, faces, std::move(solid));
+    if (const Status status = build_solid(rest, faces, {}, solid); !status.ok()) return status;
+    return set_mesh(rest, faces, std::move(solid));
+  }
+
+  // The same with a solid that was built from this mesh; an empty one: the surface is solved.
+  Status set_mesh(Span<const Vec3<S>> rest, Span<const Face> faces, Solid<S> solid) {
+    if (const Status status = solid.rest.empty() ? bind_surface(rest, faces) : bind_solid(rest, solid); !status.ok())
       return status;
+    solid_ = std::move(solid);
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
@@ -131,23 +140,19 @@ class Body {
   Status bind_surface(Span<const Vec3<S>> rest, Span<const Face> faces) {
     if (const Status status = deformer_.bind(rest, faces); !status.ok()) return status;
     solve_ = Solve::surface;
-    solid_ = {};
     carried_ = {};
     transforms_ = {};
     maps_ = {};
     return {};
   }
 
-  Status bind_solid(Span<const Vec3<S>> rest, Span<const Face> faces) {
-    Solid<S> solid;
-    if (const Status status = build_solid(rest, faces, {}, solid); !status.ok()) return status;
+  Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid) {
     if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
     solve_ = Solve::solid;
-    solid_ = std::move(solid);
-    outermost_ = outermost_vertices(solid_, rest);
+    outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
-    transforms_.resize(solid_.rest.size());
-    maps_.resize(solid_.rest.size());
+    transforms_.resize(solid.rest.size());
+    maps_.resize(solid.rest.size());
     return {};
   }
 

@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 2137168926;
+export const ABI = 1301545379;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -88,17 +88,19 @@ export const bodyReportRow: Row<BodyReport> = {
   }),
 };
 
-/** What is solved inside a mesh; empty when its surface is. */
+/** What is solved inside a mesh. */
 export interface SolidInfo {
   /** N. */
   nodes: number;
   /** E. */
   elements: number;
+  /** Directed. */
+  edges: number;
   /** Edge of an element, metres. */
   cell: number;
 }
 
-export const solidInfoRow: Row<SolidInfo> = { doubles: 3, read: (n) => ({ nodes: n[0], elements: n[1], cell: n[2] }) };
+export const solidInfoRow: Row<SolidInfo> = { doubles: 4, read: (n) => ({ nodes: n[0], elements: n[1], edges: n[2], cell: n[3] }) };
 
 export interface BakeRoot {
   /** Of the body's origin in the world. */
@@ -274,16 +276,27 @@ export interface RiglessExports {
     vertices: number,
     faces: Pointer<Integers>,
     faceCount: number,
-    solve: number,
+  ): PackedStatus;
+  body_set_solid_mesh(
+    body: Handle,
+    positions: Pointer<Float32Array>,
+    vertices: number,
+    faces: Pointer<Integers>,
+    faceCount: number,
+    cell: number,
+    nodes: Pointer<Float32Array>,
+    nodeCount: number,
+    elements: Pointer<Integers>,
+    elementCount: number,
+    elementOf: Pointer<Integers>,
+    first: Pointer<Integers>,
+    neighbors: Pointer<Integers>,
+    weights: Pointer<Float32Array>,
   ): PackedStatus;
   body_report(body: Handle): Pointer<BodyReport>;
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
   body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
   body_positions(body: Handle): Pointer<Float32Array>;
-  body_solid(body: Handle): Pointer<SolidInfo>;
-  body_solid_nodes(body: Handle): Pointer<Float32Array>;
-  body_solid_elements(body: Handle): Pointer<Integers>;
-  body_solid_element_of(body: Handle): Pointer<Integers>;
   body_maps(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;
   body_rest_controls(body: Handle): Pointer<Float32Array>;
@@ -366,4 +379,12 @@ export interface ShapeAnalysisExports {
   analyse_shape(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number): PackedStatus;
   shape(): Pointer<Shape>;
   shape_point(index: number): Pointer<ShapePoint>;
+  build_solid(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number): PackedStatus;
+  solid_info(): Pointer<SolidInfo>;
+  solid_nodes(): Pointer<Float32Array>;
+  solid_elements(): Pointer<Integers>;
+  solid_element_of(): Pointer<Integers>;
+  solid_first(): Pointer<Integers>;
+  solid_neighbors(): Pointer<Integers>;
+  solid_weights(): Pointer<Float32Array>;
 }

@@ -55,15 +55,13 @@ export class EngineClient implements Engine {
     );
   }
 
-  setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport> {
-    return this.#call("setMesh", mesh, options);
+  async setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport> {
+    const wasm = mesh.solve === "solid" ? await this.#shapeAnalysis() : null;
+    return this.#call("setMesh", { mesh, wasm }, options);
   }
 
   async analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis> {
-    const wasm = await this.shapeAnalysisWasm().catch((error: unknown) => {
-      throw new EngineError("bad_mesh", `What looks at models could not be loaded: ${String(error)}.`);
-    });
-    return this.#call("analyseShape", { mesh, wasm }, options);
+    return this.#call("analyseShape", { mesh, wasm: await this.#shapeAnalysis() }, options);
   }
 
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void> {
@@ -91,6 +89,12 @@ export class EngineClient implements Engine {
 
   close(): void {
     this.#lose("The engine was closed.");
+  }
+
+  #shapeAnalysis(): Promise<ArrayBuffer> {
+    return this.shapeAnalysisWasm().catch((error: unknown) => {
+      throw new EngineError("bad_mesh", `What looks at models could not be loaded: ${String(error)}.`);
+    });
   }
 
   #call<K extends CallName>(

@@ -1,16 +1,16 @@
 // The core as the server uses it: one mesh with its controls, one motion, the last performance.
 
-import { SOLVE_NAMES } from "../util/constants";
 import { bakeRootRow, bodyReportRow, performanceInfoRow, writeControlInput } from "./abi";
 import type { BodyReport, Handle, PackedStatus, RiglessExports } from "./abi";
+import { type BuiltSolid, buildSolid } from "./build-solid";
 import { Heap } from "./heap";
 import { engineError } from "./messages";
 import type { Subject } from "./messages";
 import { readMotion } from "./motion";
-import type { DragInput } from "./protocol";
+import type { DragInput, SetMeshInput } from "./protocol";
 import { beginRetarget, describePerformance } from "./retarget";
 import { EngineError } from "./types";
-import type { BoundMeshInput, ControlInput, Frame, MeshReport, Motion, MotionInput, Performance, RetargetInput } from "./types";
+import type { ControlInput, Frame, MeshReport, Motion, MotionInput, Performance, RetargetInput } from "./types";
 
 export class Core {
   #wasm: RiglessExports;
@@ -30,20 +30,32 @@ export class Core {
     this.#body = wasm.body_new();
   }
 
-  setMesh({ positions, faces, solve = "surface" }: BoundMeshInput): MeshReport {
+  setMesh({ mesh: { positions, faces }, wasm }: SetMeshInput): MeshReport {
     if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
       throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
     }
-    this.#heap.lend([positions, faces], ([at, facesAt]) => {
-      const code = SOLVE_NAMES.indexOf(solve);
-      this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3, code), { kind: "mesh" });
-    });
+    if (wasm) this.#setSolidMesh(positions, faces, buildSolid({ positions, faces }, wasm));
+    else
+      this.#heap.lend([positions, faces], ([at, facesAt]) => {
+        this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
+      });
     this.#forgetBake();
     this.#controls = 0;
     this.#vertices = positions.length / 3;
     this.#report = this.#heap.read(bodyReportRow, this.#wasm.body_report(this.#body));
     const { floor: _, height: __, volume, ...report } = this.#report;
     return { vertices: this.#vertices, faces: faces.length / 3, volume: known(volume), ...report };
+  }
+
+  #setSolidMesh(positions: Float32Array, faces: Uint32Array, solid: BuiltSolid): void {
+    const { cell, nodes, elements, elementOf, first, neighbors, weights } = solid;
+    this.#heap.lend([positions, faces, nodes, elements, elementOf, first, neighbors, weights], ([at, facesAt, ...parts]) => {
+      const [nodesAt, elementsAt, elementOfAt, firstAt, neighborsAt, weightsAt] = parts;
+      const mesh = [at, positions.length / 3, facesAt, faces.length / 3] as const;
+      const cells = [cell, nodesAt, nodes.length / 3, elementsAt, elements.length / 8, elementOfAt] as const;
+      const status = this.#wasm.body_set_solid_mesh(this.#body, ...mesh, ...cells, firstAt, neighborsAt, weightsAt);
+      this.#check(status, { kind: "mesh" });
+    });
   }
 
   setControls(controls: ControlInput[]): void {

@@ -20,6 +20,12 @@ export interface DragInput {
   restart: boolean;
 }
 
+export interface SetMeshInput {
+  mesh: BoundMeshInput;
+  /** The bytes of shape-analysis.wasm, if a solid is to be built. */
+  wasm: ArrayBuffer | null;
+}
+
 export interface ShapeAnalysisInput {
   mesh: MeshInput;
   /** The bytes of shape-analysis.wasm. */
@@ -27,7 +33,7 @@ export interface ShapeAnalysisInput {
 }
 
 export interface Calls {
-  setMesh: { input: BoundMeshInput; output: MeshReport };
+  setMesh: { input: SetMeshInput; output: MeshReport };
   analyseShape: { input: ShapeAnalysisInput; output: ShapeAnalysis };
   setControls: { input: ControlInput[]; output: void };
   setMotion: { input: MotionInput; output: Motion };

@@ -24,12 +24,11 @@ export interface BoundMeshInput extends MeshInput {
 
 /** The cells of a solid that carries a mesh: N nodes, E elements, V vertices. */
 export interface SolidCells {
-  nodeCount: number;
   /** Edge of an element, metres. */
   cell: number;
-  /** E x 3, the low corner at rest, stage. */
-  corners: Float32Array;
-  /** E x 8: the node at corner k, which lies (k & 1, k >> 1 & 1, k >> 2 & 1) cells from the low one. */
+  /** N x 3, at rest, stage. */
+  nodes: Float32Array;
+  /** E x 8: the node at corner k, which lies (k & 1, k >> 1 & 1, k >> 2 & 1) cells from that at corner 0. */
   elements: Int32Array;
   /** V: the element that carries a vertex; -1: it stays. */
   elementOf: Int32Array;

@@ -26,13 +26,14 @@ export class Carry {
   private readonly nodes: DataTexture;
   private readonly cells: DataTexture;
 
-  constructor({ nodeCount, cell, corners, elements }: SolidCells) {
-    this.nodes = texture(NODE_TEXELS * nodeCount);
+  constructor({ nodes, cell, elements }: SolidCells) {
+    this.nodes = texture(NODE_TEXELS * (nodes.length / 3));
     const count = elements.length / 8;
     this.cells = texture(CELL_TEXELS * count);
     const out = this.cells.image.data as Float32Array;
     for (let e = 0; e < count; e++) {
-      out.set(corners.subarray(3 * e, 3 * e + 3), 12 * e);
+      const low = 3 * (elements[8 * e] ?? 0);
+      out.set(nodes.subarray(low, low + 3), 12 * e);
       out[12 * e + 3] = cell;
       for (let k = 0; k < 8; k++) out[12 * e + 4 + k] = elements[8 * e + k] ?? 0;
     }
