@@ -18,6 +18,8 @@ export interface Format {
   readonly is?: (content: Content) => boolean;
   /** Files that it names, relative to it. */
   readonly names?: (text: string) => string[];
+  /** Of a binary format: the text in which it names them. */
+  readonly text?: (bytes: Uint8Array) => string;
 }
 
 /** What a file is recognised by. */

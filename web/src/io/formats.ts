@@ -47,6 +47,14 @@ export interface MotionFormat extends Format {
 /** First groups of all matches. No pattern may run over line ends or try one stretch of spaces in two ways: files can be long. */
 const all = (text: string, pattern: RegExp): string[] => [...text.matchAll(pattern)].map((match) => match[1].trim());
 
+const gltfNames = (text: string): string[] => all(text, /"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
+
+/** Its first chunk. */
+function glbText(bytes: Uint8Array): string {
+  const size = bytes.length < 20 ? 0 : new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  return new TextDecoder().decode(bytes.subarray(20, 20 + size));
+}
+
 const MODELS: readonly ModelFormat[] = [
   {
     id: "obj",
@@ -89,7 +97,7 @@ const MODELS: readonly ModelFormat[] = [
     words: "glTF",
     extensions: ["gltf"],
     mediaType: "model/gltf+json",
-    names: (text) => all(text, /"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri),
+    names: gltfNames,
     read: async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes),
   },
   {
@@ -99,6 +107,8 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["glb"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
+    names: gltfNames,
+    text: glbText,
     read: async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes),
   },
 ];
