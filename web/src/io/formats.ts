@@ -3,7 +3,8 @@
 
 import type { MotionInput } from "../engine/types";
 import { type Content, type Format, type FormatKind, starts, wordList } from "./format";
-import type { Part, Picture } from "./model";
+import type { Picture } from "../gltf/document";
+import type { Part } from "./model";
 import { decodeText, decodeUri, extension, type NamedFile } from "./named-file";
 import { PICTURES } from "./picture";
 

@@ -5,7 +5,9 @@ import { type Material, Mesh, type MeshPhongMaterial } from "three";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 
 import { linear } from "./color";
-import { count, type Part, type Picture } from "./model";
+import type { Picture } from "../gltf/document";
+import { count } from "./count";
+import type { Part } from "./model";
 import { findFile, ModelError, type NamedFile } from "./named-file";
 import { pictureOf } from "./picture";
 

@@ -1,6 +1,7 @@
 // OFF, COFF, NOFF, STOFF and their mixtures: a header, V E F, vertices, polygons. three.js has no loader for it.
 
-import { count, type Part } from "./model";
+import { count } from "./count";
+import type { Part } from "./model";
 import { ModelError } from "./named-file";
 import { linear } from "./color";
 

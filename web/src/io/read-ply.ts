@@ -1,7 +1,8 @@
 // PLY, text and binary. Ours, because three's PLYLoader leaves out faces of more than four corners without a word.
 
 import { linear } from "./color";
-import { count, type Part } from "./model";
+import { count } from "./count";
+import type { Part } from "./model";
 import { ModelError } from "./named-file";
 
 type Scalar = "int8" | "uint8" | "int16" | "uint16" | "int32" | "uint32" | "float32" | "float64";

@@ -2,7 +2,8 @@
 
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 
-import { count, type Part } from "./model";
+import { count } from "./count";
+import type { Part } from "./model";
 import { ModelError } from "./named-file";
 
 /** Errors (ModelError): a binary file shorter than its count of triangles; a corner of a text file that is not three numbers. */
