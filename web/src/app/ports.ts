@@ -1,7 +1,8 @@
 // What the app needs of the place it runs in: a page, or a test in Node.
 
 import type { Engine } from "../engine/types";
-import type { Model, Picture } from "../io/model";
+import type { Picture } from "../gltf/document";
+import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
 
 export type { StagePort } from "../stage/port";

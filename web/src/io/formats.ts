@@ -1,34 +1,15 @@
 // Every kind of file that Rigless opens: one row each. File dialogs, drops, the command line, the readers and the sentences about
-// them read this table, and a test holds README and docs to it. A new format is a row here and a reader.
+// them read this table, and a test holds README and docs to it. A new format is a row here and a reader in
+// readers.ts.
 
 import type { MotionInput } from "../engine/types";
 import { type Content, type Format, type FormatKind, starts, wordList } from "./format";
-import type { Part, Picture } from "./model";
 import { decodeText, decodeUri, extension, type NamedFile } from "./named-file";
 import { PICTURES } from "./picture";
 
-/** What the reader of a model is given. */
-export interface ModelSource {
-  /** Without folders. */
-  readonly name: string;
-  readonly file: NamedFile;
-  /** The file's text; errors (ModelError): it is none. */
-  readonly text: () => string;
-  /** All files, the model's own among them. */
-  readonly files: readonly NamedFile[];
-  /** What was worked around, in plain words: the reader adds to it. */
-  readonly notes: string[];
-}
-
-export interface Surface {
-  readonly parts: Part[];
-  readonly texture: Picture | null;
-}
-
+/** Its reader is in readers.ts, which the page does not load. */
 export interface ModelFormat extends Format {
   readonly kind: "model";
-  /** Loads its reader, so that nobody loads those of other formats. */
-  readonly read: (source: ModelSource) => Promise<Surface>;
 }
 
 export interface MotionSource {
@@ -52,7 +33,7 @@ export interface MotionFormat extends Format {
 /** First groups of all matches. No pattern may run over line ends or try one stretch of spaces in two ways: files can be long. */
 const all = (text: string, pattern: RegExp): string[] => [...text.matchAll(pattern)].map((match) => match[1].trim());
 
-const MODELS: readonly ModelFormat[] = [
+const MODELS = [
   {
     id: "obj",
     kind: "model",
@@ -60,7 +41,6 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["obj"],
     mediaType: "model/obj",
     names: (text) => all(text, /^[ \t]*mtllib[ \t](.+)$/gm),
-    read: async ({ name, file, text, files, notes }) => (await import("./read-obj")).readObj(name, file.name, text(), files, notes),
   },
   {
     id: "off",
@@ -69,7 +49,6 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["off"],
     mediaType: "model/vnd.off",
     is: ({ head }) => /^\s*(ST)?C?N?4?n?OFF\b/.test(head),
-    read: async ({ name, text, notes }) => ({ parts: (await import("./read-off")).readOff(name, text(), notes), texture: null }),
   },
   {
     id: "ply",
@@ -78,7 +57,6 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["ply"],
     mediaType: "model/ply",
     is: ({ head }) => /^ply\s/.test(head),
-    read: async ({ name, file, notes }) => ({ parts: (await import("./read-ply")).readPly(name, file.bytes, notes), texture: null }),
   },
   {
     id: "stl",
@@ -86,7 +64,6 @@ const MODELS: readonly ModelFormat[] = [
     words: "STL",
     extensions: ["stl"],
     mediaType: "model/stl",
-    read: async ({ name, file }) => ({ parts: (await import("./read-stl")).readStl(name, file.bytes), texture: null }),
   },
   {
     id: "gltf",
@@ -95,7 +72,6 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["gltf"],
     mediaType: "model/gltf+json",
     names: (text) => all(text, /"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri),
-    read: async ({ name, file, files, notes }) => (await import("./read-gltf")).readGltf(name, file, files, notes),
   },
   {
     id: "glb",
@@ -104,9 +80,10 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["glb"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
-    read: async ({ name, file, files, notes }) => (await import("./read-gltf")).readGltf(name, file, files, notes),
   },
-];
+] as const satisfies readonly ModelFormat[];
+
+export type ModelId = (typeof MODELS)[number]["id"];
 
 const MOTIONS: readonly MotionFormat[] = [
   {
@@ -178,7 +155,7 @@ export function formatNamed(path: string): Format | null {
   return FORMATS.find((format) => format.extensions.includes(extension(path))) ?? null;
 }
 
-export function modelFormat(file: NamedFile): ModelFormat | null {
+export function modelFormat(file: NamedFile): (typeof MODELS)[number] | null {
   const format = formatOf(file);
   return MODELS.find((known) => known === format) ?? null;
 }

@@ -1,13 +1,11 @@
 // A model as every reader returns it, and the one way that its parts become a surface.
 
 import { boundsOf } from "../document/stage";
+import type { Picture } from "../gltf/document";
+import { count } from "./count";
 import { ModelError } from "./named-file";
+import { TupleTable } from "./tuple-table";
 import { weld } from "./weld";
-
-export interface Picture {
-  readonly bytes: Uint8Array;
-  readonly mime: string;
-}
 
 /** What is drawn: render vertices keep seams and colours, each knows its solver vertex. File units and axes. */
 export interface DrawnSource {
@@ -101,11 +99,6 @@ function weldCorners(name: string, corners: Corners, notes: string[]): Welding {
     if (is === 0) rank[vertex] = used.push(vertex) - 1;
   });
   return { positions: gather(welded.positions, used, 3), index, vertexOf: Int32Array.from(welded.vertexOf, (vertex) => rank[vertex]) };
-}
-
-/** "1 triangle", "1,204 triangles" */
-export function count(n: number, one: string, many = one + "s"): string {
-  return `${n.toLocaleString("en-US")} ${n === 1 ? one : many}`;
 }
 
 /** The largest coordinate, as in a project. */
@@ -208,39 +201,4 @@ function gather(values: Float32Array, rows: ArrayLike<number>, width: number): F
   const out = new Float32Array(rows.length * width);
   for (let i = 0; i < rows.length; i++) out.set(values.subarray(rows[i] * width, (rows[i] + 1) * width), i * width);
   return out;
-}
-
-/** Numbers different tuples of integers in the order in which they come: an open-addressing hash table. */
-class TupleTable {
-  size = 0;
-  private readonly slots: Int32Array;
-  private readonly tuples: Int32Array;
-
-  constructor(
-    capacity: number,
-    private readonly width: number,
-  ) {
-    let slots = 16;
-    while (slots < 2 * capacity) slots *= 2;
-    this.slots = new Int32Array(slots).fill(-1);
-    this.tuples = new Int32Array(capacity * width);
-  }
-
-  /** The tuple's number; `size` before the call if it is new. */
-  put(tuple: ArrayLike<number>): number {
-    const { slots, tuples, width } = this;
-    let hash = 0;
-    for (let k = 0; k < width; k++) hash = Math.imul(hash ^ tuple[k], 0x9e3779b1) ^ (hash >>> 15);
-    for (let at = (hash ^ (hash >>> 16)) & (slots.length - 1); ; at = (at + 1) & (slots.length - 1)) {
-      const n = slots[at];
-      if (n < 0) {
-        tuples.set(tuple, this.size * width);
-        slots[at] = this.size;
-        return this.size++;
-      }
-      let same = true;
-      for (let k = 0; k < width && same; k++) same = tuples[n * width + k] === tuple[k];
-      if (same) return n;
-    }
-  }
 }

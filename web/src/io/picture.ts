@@ -1,7 +1,7 @@
 // The one picture that a model is drawn with.
 
 import { type Format, starts, wordList } from "./format";
-import type { Picture } from "./model";
+import type { Picture } from "../gltf/document";
 import { baseName, findFile, type NamedFile } from "./named-file";
 
 /** The pictures that we show: rows of the table of formats. */

@@ -16,7 +16,9 @@ import {
 } from "@gltf-transform/core";
 
 import { forgetFallbacks, hasMeshopt, unpackMeshopt } from "./meshopt";
-import { count, type Part, type Picture } from "./model";
+import type { Picture } from "../gltf/document";
+import { count } from "./count";
+import type { Part } from "./model";
 import { baseName, decodeUri, findFile, ModelError, type NamedFile } from "./named-file";
 import { checkedPicture } from "./picture";
 

@@ -1,8 +1,10 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
-import { listed, type ModelFormat, modelFormat } from "./formats";
+import { listed, modelFormat } from "./formats";
+import type { Built } from "./gltf/build";
 import { buildModel, type Model } from "./model";
-import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
+import { baseName, ModelError, type NamedFile } from "./named-file";
+import { READERS, type Surface } from "./readers";
 
 export type { Model } from "./model";
 
@@ -20,8 +22,7 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);
   try {
     const notes: string[] = [];
-    const text = (): string => textOf(name, file.bytes, format.words);
-    const { parts, texture } = await format.read({ name, file, text, files, notes });
+    const { parts, texture } = surfaceOf(await READERS[format.id]({ name, file, files, notes }), notes);
     return buildModel(name, parts, texture, notes);
   } catch (error) {
     if (error instanceof ModelError) throw error;
@@ -30,7 +31,7 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   }
 }
 
-function firstModel(files: readonly NamedFile[]): [NamedFile, ModelFormat] | [] {
+function firstModel(files: readonly NamedFile[]): [NamedFile, NonNullable<ReturnType<typeof modelFormat>>] | [] {
   for (const file of files) {
     const format = modelFormat(file);
     if (format) return [file, format];
@@ -38,8 +39,15 @@ function firstModel(files: readonly NamedFile[]): [NamedFile, ModelFormat] | [] 
   return [];
 }
 
-function textOf(name: string, bytes: Uint8Array, kind: string): string {
-  const text = decodeText(bytes);
-  if (text === null) throw new ModelError(`${name} is not text, so it is no ${kind} model.`);
-  return text;
+function surfaceOf(read: Surface | Built, notes: string[]): Surface {
+  if ("texture" in read) return read;
+  const parts = read.parts.map((part) => ({
+    positions: part.positions,
+    index: part.index,
+    colors: part.colors ?? null,
+    uvs: part.uvs?.[0] ?? null,
+  }));
+  const used = [...new Set(read.parts.flatMap(({ material }) => read.materials?.[material ?? -1]?.pbrMetallicRoughness?.baseColorTexture?.index ?? []))];
+  if (used.length > 1) notes.push(`This model has ${used.length} pictures; we show its plain colours.`);
+  return { parts, texture: used.length === 1 ? (read.pictures?.[used[0]].picture ?? null) : null };
 }

@@ -110,6 +110,11 @@ export class TextScanner {
     return parts;
   }
 
+  /** The most bytes that can hold words. */
+  left(): number {
+    return this.bytes.length - this.at;
+  }
+
   error(what: string): ModelError {
     return new ModelError(`${this.name}, line ${this.line}: ${what}.`);
   }

@@ -1,0 +1,36 @@
+// The reader of each format of models, loaded with its first file. The page itself never loads this table: a worker reads for it.
+
+import type { Picture } from "../gltf/document";
+import type { ModelId } from "./formats";
+import type { Built } from "./gltf/build";
+import type { Part } from "./model";
+import type { NamedFile } from "./named-file";
+
+/** What the reader of a model is given. */
+export interface ModelSource {
+  /** Without folders. */
+  readonly name: string;
+  readonly file: NamedFile;
+  /** All files, the model's own among them. */
+  readonly files: readonly NamedFile[];
+  /** What was worked around, in plain words: the reader adds to it. */
+  readonly notes: string[];
+}
+
+export interface Surface {
+  readonly parts: Part[];
+  readonly texture: Picture | null;
+}
+
+type Reader = (source: ModelSource) => Promise<Built | Surface>;
+
+const gltf: Reader = async ({ name, file, files, notes }) => (await import("./read-gltf")).readGltf(name, file, files, notes);
+
+export const READERS: Readonly<Record<ModelId, Reader>> = {
+  obj: async ({ name, file, files, notes }) => (await import("./read-obj")).readObj(name, file, files, notes),
+  off: async ({ name, file, notes }) => (await import("./read-off")).readOff(name, file, notes),
+  ply: async ({ name, file, files, notes }) => (await import("./read-ply")).readPly(name, file, files, notes),
+  stl: async ({ name, file }) => (await import("./read-stl")).readStl(name, file),
+  gltf,
+  glb: gltf,
+};
