@@ -50,21 +50,8 @@ const MODELS = [
     mediaType: "model/vnd.off",
     is: ({ head }) => /^\s*(ST)?C?N?4?n?OFF\b/.test(head),
   },
-  {
-    id: "ply",
-    kind: "model",
-    words: "PLY",
-    extensions: ["ply"],
-    mediaType: "model/ply",
-    is: ({ head }) => /^ply\s/.test(head),
-  },
-  {
-    id: "stl",
-    kind: "model",
-    words: "STL",
-    extensions: ["stl"],
-    mediaType: "model/stl",
-  },
+  { id: "ply", kind: "model", words: "PLY", extensions: ["ply"], mediaType: "model/ply", is: ({ head }) => /^ply\s/.test(head) },
+  { id: "stl", kind: "model", words: "STL", extensions: ["stl"], mediaType: "model/stl" },
   {
     id: "gltf",
     kind: "model",

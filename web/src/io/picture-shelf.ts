@@ -36,11 +36,7 @@ export class PictureShelf {
       index = this.pictures.push({ name: baseName(name), picture, ...(sampler && { sampler }) }) - 1;
       this.known.set(key, index);
     }
-    return {
-      index,
-      ...(texCoord > 0 && { texCoord }),
-      ...(frame && { extensions: { KHR_texture_transform: frame } }),
-    };
+    return { index, ...(texCoord > 0 && { texCoord }), ...(frame && { extensions: { KHR_texture_transform: frame } }) };
   }
 
   /** Says what was not there. */

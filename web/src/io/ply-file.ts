@@ -1,6 +1,6 @@
 // A PLY's header, and the numbers behind it, one after the other.
 
-import { ModelError } from "./named-file";
+import { CUT_SHORT, ModelError } from "./named-file";
 import { shortened, TextScanner } from "./text-scanner";
 
 export type Scalar = "int8" | "uint8" | "int16" | "uint16" | "int32" | "uint32" | "float32" | "float64";
@@ -56,7 +56,7 @@ const TYPES: Record<string, Scalar | undefined> = {
 export function readHeader(name: string, bytes: Uint8Array): Header {
   const text = new TextDecoder("latin1").decode(bytes.subarray(0, 65536));
   const end = /end_header[ \t]*(\r\n|\n|\r)/.exec(text);
-  if (!text.startsWith("ply") || !end) throw new ModelError(`${name} has no whole PLY header: it was cut short or is no PLY.`);
+  if (!text.startsWith("ply") || !end) throw new ModelError(`${name} has no whole PLY header. ${CUT_SHORT}`);
   const elements: Element[] = [];
   let format = "";
   let texture: string | null = null;
@@ -99,12 +99,12 @@ function checkCounts(name: string, elements: readonly Element[], left: number, t
     // The last number of a text needs no line end.
     if (count * least <= left + 1) continue;
     const [rows, one] = [count.toLocaleString("en-US"), Math.floor(left / least).toLocaleString("en-US")];
-    throw new ModelError(`${name} promises ${rows} of "${shortened(what)}", but no more than ${one} fit in it: it was cut short.`);
+    throw new ModelError(`${name} promises ${rows} of "${shortened(what)}", but no more than ${one} fit in it. ${CUT_SHORT}`);
   }
 }
 
 export function endsEarly(name: string): ModelError {
-  return new ModelError(`${name} ends before its last row: it was cut short. Fetch or save it once more.`);
+  return new ModelError(`${name} ends before its last row. ${CUT_SHORT}`);
 }
 
 export function valuesOf(name: string, bytes: Uint8Array, { format, size }: Header): Reader {

@@ -41,13 +41,20 @@ function firstModel(files: readonly NamedFile[]): [NamedFile, NonNullable<Return
 
 function surfaceOf(read: Surface | Built, notes: string[]): Surface {
   if ("texture" in read) return read;
-  const parts = read.parts.map((part) => ({
-    positions: part.positions,
-    index: part.index,
-    colors: part.colors ?? null,
-    uvs: part.uvs?.[0] ?? null,
-  }));
-  const used = [...new Set(read.parts.flatMap(({ material }) => read.materials?.[material ?? -1]?.pbrMetallicRoughness?.baseColorTexture?.index ?? []))];
+  const pbrOf = (material = -1) => read.materials?.[material]?.pbrMetallicRoughness;
+  const parts = read.parts.map(({ positions, index, colors, uvs, material }) => {
+    const n = positions.length / 3;
+    const factor = pbrOf(material)?.baseColorFactor;
+    const width = colors ? colors.length / n : 0;
+    const rgb = (i: number): number => (colors ? colors[width * Math.floor(i / 3) + (i % 3)] : 1) * (factor?.[i % 3] ?? 1);
+    return {
+      positions,
+      index,
+      colors: colors || factor ? Float32Array.from({ length: 3 * n }, (_, i) => rgb(i)) : null,
+      uvs: uvs?.[0] ?? null,
+    };
+  });
+  const used = [...new Set(read.parts.flatMap(({ material }) => pbrOf(material)?.baseColorTexture?.index ?? []))];
   if (used.length > 1) notes.push(`This model has ${used.length} pictures; we show its plain colours.`);
   return { parts, texture: used.length === 1 ? (read.pictures?.[used[0]].picture ?? null) : null };
 }

@@ -82,9 +82,7 @@ class ObjFile {
     if (this.faces > 0) return;
     const vertices = this.positions.length / 3;
     throw new ModelError(
-      vertices
-        ? `${this.name} has ${count(vertices, "point")} but no faces: save it as a mesh.`
-        : `${this.name} holds no OBJ model.`,
+      vertices ? `${this.name} has ${count(vertices, "point")} but no faces: save it as a mesh.` : `${this.name} holds no OBJ model.`,
     );
   }
 

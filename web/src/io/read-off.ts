@@ -3,7 +3,7 @@
 import { linearColors } from "./color";
 import { count } from "./count";
 import type { Built } from "./gltf/build";
-import { ModelError, type NamedFile } from "./named-file";
+import { CUT_SHORT, ModelError, type NamedFile } from "./named-file";
 import { shortened, TextScanner } from "./text-scanner";
 import { addPolygon } from "./triangulate";
 
@@ -15,8 +15,7 @@ export function readOff(name: string, { bytes }: NamedFile, notes: string[]): Bu
   // A vertex has three numbers and a face one, with something between them.
   if (5 * vertices > bytes.length || 2 * faces > bytes.length) {
     throw new ModelError(
-      `${name} promises ${count(vertices, "vertex", "vertices")} and ${count(faces, "face")}, more than a file of this size can hold. ` +
-        "It may have been cut short.",
+      `${name} promises ${count(vertices, "vertex", "vertices")} and ${count(faces, "face")}, more than fit in it. ${CUT_SHORT}`,
     );
   }
 
@@ -49,7 +48,8 @@ export function readOff(name: string, { bytes }: NamedFile, notes: string[]): Bu
     addPolygon(index, loop, loop, positions);
   }
   const loose = used.reduce((sum, is) => sum + 1 - is, 0);
-  if (index.length === 0 && vertices > 0) throw new ModelError(`${name} has no triangles: it holds ${count(vertices, "point")} alone.`);
+  if (index.length === 0 && vertices > 0)
+    throw new ModelError(`${name} has no triangles: it holds ${count(vertices, "point")} alone. Save it as a mesh.`);
   if (loose > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
   return { parts: [{ positions, index, colors: colors.length === 3 * vertices ? linearColors(colors) : null }] };
 }
@@ -69,7 +69,7 @@ function readHeader(name: string, text: TextScanner): { colored: boolean; normal
 }
 
 function endsBefore(name: string, what: string): ModelError {
-  return new ModelError(`${name} ends before ${what}. It may have been cut short: fetch or save it once more.`);
+  return new ModelError(`${name} ends before ${what}. ${CUT_SHORT}`);
 }
 
 function number(text: TextScanner): number {

@@ -4,7 +4,7 @@
 import { linear } from "./color";
 import { count } from "./count";
 import type { Built } from "./gltf/build";
-import { ModelError, type NamedFile } from "./named-file";
+import { CUT_SHORT, ModelError, type NamedFile } from "./named-file";
 import { TextScanner } from "./text-scanner";
 
 /** Errors (ModelError): a binary file shorter than its count of triangles; a corner of a text file that is not three numbers. */
@@ -45,7 +45,7 @@ function textPart(name: string, bytes: Uint8Array): Built["parts"][number] {
     } else if (text.is("endfacet", true) || (text.is("facet", true) && corners > 0)) close();
     else if (text.is("endsolid", true)) ended = true;
   }
-  if (corners > 0 || !ended) throw new ModelError(`${name} ends before "endsolid": it was cut short. Save it once more.`);
+  if (corners > 0 || !ended) throw new ModelError(`${name} ends before "endsolid". ${CUT_SHORT}`);
   return { positions, index: order(positions.length / 3) };
 }
 
@@ -54,7 +54,7 @@ function binaryPart(name: string, bytes: Uint8Array): Built["parts"][number] {
   const triangles = trianglesOf(bytes);
   const whole = Math.floor((bytes.length - 84) / 50);
   if (whole < triangles) {
-    throw new ModelError(`${name} promises ${count(triangles, "triangle")}, but it ends after ${count(whole, "triangle")}.`);
+    throw new ModelError(`${name} promises ${count(triangles, "triangle")}, but it ends after ${count(whole, "triangle")}. ${CUT_SHORT}`);
   }
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const positions = new Float32Array(9 * triangles);

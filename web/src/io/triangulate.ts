@@ -3,7 +3,7 @@
 import { Earcut } from "three/src/extras/Earcut.js";
 
 /** Cutting ears can take the square of the corners; faces with more are fans. */
-const MOST_CORNERS = 1000;
+const MOST_CORNERS = 200;
 
 /**
  * Adds the triangles of one polygon's corners, which lie at `vertices` of `positions` (x 3): a fan where it is convex, else its ears
