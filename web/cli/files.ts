@@ -77,7 +77,7 @@ async function readWhole(path: string): Promise<Uint8Array> {
 async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]> {
   const own = dirname(file.name);
   const format = formatNamed(file.name);
-  const names = format?.names?.(decodeText(file.bytes) ?? "") ?? [];
+  const names = format?.names?.(decodeText(file.bytes) ?? "", file.bytes) ?? [];
   const found = await Promise.all(
     [...new Set(names)].map(async (inner) => {
       const name = own === "." ? inner : `${own}/${inner}`;

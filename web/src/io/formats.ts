@@ -5,6 +5,7 @@
 import type { MotionInput } from "../engine/types";
 import { type Content, type Format, type FormatKind, starts, wordList } from "./format";
 import { decodeText, decodeUri, extension, type NamedFile } from "./named-file";
+import { fbxPictures, isArchiveStartingWith, isArchiveWith } from "./peek";
 import { PICTURES } from "./picture";
 
 /** Its reader is in readers.ts, which the page does not load. */
@@ -64,9 +65,44 @@ const MODELS = [
     id: "glb",
     kind: "model",
     words: "GLB",
-    extensions: ["glb"],
+    extensions: ["glb", "vrm"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
+  },
+  {
+    id: "fbx",
+    kind: "model",
+    words: "FBX",
+    extensions: ["fbx"],
+    mediaType: "application/octet-stream",
+    is: ({ head, text }) => head.startsWith("Kaydara FBX Binary") || /^(;.*\s+)*FBXHeaderExtension\b/.test(text),
+    names: (text, bytes) => [...all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g), ...fbxPictures(bytes)],
+  },
+  {
+    id: "dae",
+    kind: "model",
+    words: "DAE",
+    extensions: ["dae"],
+    mediaType: "model/vnd.collada+xml",
+    is: ({ text }) => /<COLLADA\b/.test(text.slice(0, 2048)),
+    names: (text) => all(text, /<init_from>([^<\r\n]+)<\/init_from>/g).map(decodeUri),
+  },
+  {
+    id: "3mf",
+    kind: "model",
+    words: "3MF",
+    extensions: ["3mf"],
+    mediaType: "model/3mf",
+    is: ({ bytes }) => isArchiveWith(bytes, /3D\/[^/]*\.model/),
+  },
+  {
+    id: "usd",
+    kind: "model",
+    words: "USDZ",
+    extensions: ["usdz", "usda", "usdc", "usd"],
+    mediaType: "model/vnd.usdz+zip",
+    is: ({ bytes, head }) => /^(#usda|PXR-USDC)/.test(head) || isArchiveStartingWith(bytes, /\.usd[ac]?$/i),
+    names: (text) => all(text, /@([^@\r\n]+\.(?:png|jpe?g|webp))@/gi),
   },
 ] as const satisfies readonly ModelFormat[];
 
@@ -119,7 +155,7 @@ const OTHERS: readonly Format[] = [
     words: "MTL",
     extensions: ["mtl"],
     mediaType: "model/mtl",
-    names: (text) => all(text, /^[ \t]*map_Kd[ \t](.+)$/gm).map((words) => words.split(/\s+/).at(-1) ?? ""),
+    names: (text) => all(text, /^[ \t]*(?:map_\w+|bump|norm)[ \t](.+)$/gim).map((words) => words.split(/\s+/).at(-1) ?? ""),
   },
   { id: "bin", kind: "part", words: "BIN", extensions: ["bin"], mediaType: "application/octet-stream" },
 ];

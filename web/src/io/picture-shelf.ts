@@ -24,16 +24,35 @@ export class PictureShelf {
   texture(name: string, sampler: GltfSampler | null = null, frame: Frame | null = null, texCoord = 0): GltfTextureInfo {
     const file = findFile(this.files, name, this.from) ?? findFile(this.files, decodeUri(name), this.from);
     if (!file) this.missing.add(baseName(name));
-    return this.put(file?.name ?? name, file?.bytes ?? null, sampler, frame, texCoord);
+    const called = baseName(file?.name ?? name);
+    return this.put(file?.name ?? name, called, file?.bytes ?? null, sampler, frame, texCoord);
   }
 
-  /** A texture of bytes that the model itself holds. */
-  put(name: string, bytes: Uint8Array | null, sampler: GltfSampler | null, frame: Frame | null, texCoord: number): GltfTextureInfo {
-    const key = JSON.stringify([name, sampler]);
+  /** A texture of a picture that the model itself holds under some address. */
+  held(
+    address: string,
+    name: string,
+    bytes: Uint8Array,
+    sampler: GltfSampler | null = null,
+    frame: Frame | null = null,
+    texCoord = 0,
+  ): GltfTextureInfo {
+    return this.put(address, name || `picture ${this.pictures.length + 1}`, bytes, sampler, frame, texCoord);
+  }
+
+  private put(
+    address: string,
+    name: string,
+    bytes: Uint8Array | null,
+    sampler: GltfSampler | null,
+    frame: Frame | null,
+    texCoord: number,
+  ): GltfTextureInfo {
+    const key = JSON.stringify([address, sampler]);
     let index = this.known.get(key);
     if (index === undefined) {
-      const picture = bytes && checkedPicture(baseName(name), bytes, this.notes);
-      index = this.pictures.push({ name: baseName(name), picture, ...(sampler && { sampler }) }) - 1;
+      const picture = bytes && checkedPicture(name, bytes, this.notes);
+      index = this.pictures.push({ name, picture, ...(sampler && { sampler }) }) - 1;
       this.known.set(key, index);
     }
     return { index, ...(texCoord > 0 && { texCoord }), ...(frame && { extensions: { KHR_texture_transform: frame } }) };

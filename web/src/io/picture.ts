@@ -59,3 +59,8 @@ export function checkedPicture(name: string, bytes: Uint8Array, notes: string[])
   );
   return null;
 }
+
+/** Whether a picture's name says that it holds normals: formats that know bump maps alone name these there. */
+export function isNormalMap(name: string): boolean {
+  return /norm|nrm|[_.-]n(or)?(\.\w+)?$/i.test(name);
+}

@@ -2,6 +2,7 @@
 
 import type { GltfMaterial, GltfSampler } from "../gltf/document";
 import { linear } from "./color";
+import { isNormalMap } from "./picture";
 import type { PictureShelf } from "./picture-shelf";
 
 /** Materials by name. */
@@ -96,5 +97,5 @@ function pictureIn(value: string | undefined): MtlPicture | null {
 
 /** A bump map is a height map by its letter, and a normal map where its name says so. */
 function normalIn(map: MtlPicture | null, bump = false): MtlPicture | null {
-  return map && (!bump || /norm|nrm|[_.-]n(or)?\.\w+$/i.test(map.name)) ? map : null;
+  return map && (!bump || isNormalMap(map.name)) ? map : null;
 }

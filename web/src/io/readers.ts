@@ -33,4 +33,8 @@ export const READERS: Readonly<Record<ModelId, Reader>> = {
   stl: async ({ name, file }) => (await import("./read-stl")).readStl(name, file),
   gltf,
   glb: gltf,
+  fbx: async (source) => (await import("./three-scene/read-fbx")).readFbx(source),
+  dae: async (source) => (await import("./three-scene/read-dae")).readDae(source),
+  "3mf": async (source) => (await import("./three-scene/read-3mf")).read3mf(source),
+  usd: async (source) => (await import("./three-scene/read-usd")).readUsd(source),
 };
