@@ -8,8 +8,8 @@ export interface NamedFile {
 
 /** A model or a motion that cannot be read. `message` names the file and is made to be shown. */
 export class ModelError extends Error {
-  constructor(message: string) {
-    super(message);
+  constructor(message: string, options?: ErrorOptions) {
+    super(message, options);
     this.name = "ModelError";
   }
 }

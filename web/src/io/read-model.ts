@@ -1,9 +1,10 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
-import { listed, modelFormat } from "./formats";
+import { modelFormat } from "./formats";
 import type { Built } from "./gltf/build";
 import { buildModel, type Model } from "./model";
 import { baseName, ModelError, type NamedFile } from "./named-file";
+import { noModel } from "./refused";
 import { READERS, type Surface } from "./readers";
 
 export type { Model } from "./model";
@@ -15,8 +16,7 @@ export type { Model } from "./model";
 export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   const [file, format] = firstModel(files);
   if (!file || !format) {
-    const names = files.map((other) => baseName(other.name)).join(", ");
-    throw new ModelError(`${names || "Nothing"} is not a model that we read (${listed("model")}).`);
+    throw new ModelError(noModel(files.map((other) => other.name)));
   }
   const name = baseName(file.name);
   if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);

@@ -138,7 +138,7 @@ class PlyMesh {
         if (k === loopAt) loop = values;
         if (k === wedgeAt) wedge = values;
       });
-      for (const v of loop) if (!(v >= 0 && v < this.vertices)) throw this.noVertex(`face ${f + 1}`, v);
+      for (const v of loop) if (!(Number.isInteger(v) && v >= 0 && v < this.vertices)) throw this.noVertex(`face ${f + 1}`, v);
       if (!this.wedges) {
         addPolygon(this.index, loop, loop, this.positions);
         continue;
@@ -165,7 +165,7 @@ class PlyMesh {
         let from = 0;
         values.forEach((v, i) => {
           if (v === -1) from = i + 1;
-          else if (!(v >= 0 && v < this.vertices)) throw this.noVertex(`strip ${row + 1}`, v);
+          else if (!(Number.isInteger(v) && v >= 0 && v < this.vertices)) throw this.noVertex(`strip ${row + 1}`, v);
           else if (i - from >= 2) {
             if ((i - from) % 2 === 0) this.index.push(values[i - 2], values[i - 1], v);
             else this.index.push(values[i - 1], values[i - 2], v);
@@ -191,6 +191,7 @@ class PlyMesh {
   private readValues(type: Scalar, length: Scalar | null): number[] {
     const values: number[] = [];
     const n = length ? this.next.value(length) : 1;
+    if (!(Number.isInteger(n) && n >= 0)) throw new ModelError(`${this.name}: ${n} should be a whole number, how many values follow.`);
     if (n > this.next.left()) throw endsEarly(this.name);
     for (let k = 0; k < n; k++) values.push(this.next.value(type));
     return values;

@@ -260,11 +260,14 @@ describe("STL", () => {
   });
 
   it.each<[string, string | Uint8Array]>([
-    ["t.stl promises 4 triangles, but it ends after 3 triangles.", binary("cut").subarray(0, -10)],
+    [
+      "t.stl promises 4 triangles, but it ends after 3 triangles. It may have been cut short: fetch or save it once more.",
+      binary("cut").subarray(0, -10),
+    ],
     ['t.stl, line 5: "nan" is not a number.', ascii.replace("vertex 0 1 0", "vertex nan 1 0")],
     ["t.stl, line 5: a corner needs three numbers.", ascii.replace("vertex 0 1 0", "vertex 0 1")],
     ["t.stl, line 7: a triangle needs three corners, but this one has 2.", ascii.replace("vertex 0 1 0\n", "")],
-    ['t.stl ends before "endsolid".', ascii.slice(0, -15)],
+    ['t.stl ends before "endsolid". It may have been cut short: fetch or save it once more.', ascii.slice(0, -15)],
     ["t.stl has no triangles.", "solid nothing\nendsolid nothing\n"],
     ["t.stl holds no STL model.", "hello"],
     [
@@ -289,5 +292,7 @@ it("refuses coordinates that no number on the stage can hold", async () => {
 });
 
 it("names what is no model", async () => {
-  expect(await refusal("letter.docx", "hello")).toBe("letter.docx is not a model that we read (OBJ, OFF, PLY, STL, glTF, GLB).");
+  expect(await refusal("letter.docx", "hello")).toBe(
+    "letter.docx is not a model that we read (OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF, USDZ).",
+  );
 });

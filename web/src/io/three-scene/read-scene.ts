@@ -21,6 +21,19 @@ export interface SceneSource {
   readonly notes: string[];
 }
 
+/** What `parse` makes; errors (ModelError): whatever goes wrong in a loader, which expects a sound file, says that it is broken. */
+export function parsed<T>(name: string, kind: string, parse: () => T): T {
+  try {
+    return parse();
+  } catch (error) {
+    if (error instanceof ModelError) throw error;
+    throw new ModelError(
+      `${name} is a broken ${kind} file, or has parts that we cannot read. Open it in Blender and save it as glTF 2.0 (.glb).`,
+      { cause: error },
+    );
+  }
+}
+
 /** `metres`: what a unit of the tree is long. Errors (ModelError): it holds no triangles. */
 export function readScene({ name, file, files, notes }: SceneSource, tree: Object3D, metres: number): BuiltScene {
   const world = new Group();

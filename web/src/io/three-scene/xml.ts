@@ -17,12 +17,31 @@ export class XmlElement {
 
   constructor(
     readonly nodeName: string,
-    private readonly values: Readonly<Record<string, string>>,
+    private readonly values: Record<string, string>,
   ) {}
+
+  append(child: XmlElement): void {
+    child.parentElement = this;
+    this.children.push(child);
+  }
 
   /** Without text: loaders pass it over. */
   get childNodes(): readonly XmlElement[] {
     return this.children;
+  }
+
+  remove(): void {
+    const siblings = this.parentElement?.children ?? [];
+    const at = siblings.indexOf(this);
+    if (at >= 0) siblings.splice(at, 1);
+  }
+
+  /** All below this one, in the order of the file. */
+  visit(each: (element: XmlElement) => void): void {
+    for (const child of this.children) {
+      each(child);
+      child.visit(each);
+    }
   }
 
   get attributes(): { name: string; value: string }[] {
@@ -35,6 +54,10 @@ export class XmlElement {
 
   getAttribute(name: string): string | null {
     return this.values[name] ?? null;
+  }
+
+  setAttribute(name: string, value: string): void {
+    this.values[name] = value;
   }
 
   hasAttribute(name: string): boolean {
@@ -76,16 +99,11 @@ export class XmlElement {
     return missing === 0;
   }
 
-  /** In the order of the file. */
   private inside(is: (element: XmlElement) => boolean): XmlElement[] {
     const found: XmlElement[] = [];
-    const visit = (parent: XmlElement): void => {
-      for (const child of parent.children) {
-        if (is(child)) found.push(child);
-        visit(child);
-      }
-    };
-    visit(this);
+    this.visit((element) => {
+      if (is(element)) found.push(element);
+    });
     return found;
   }
 }
@@ -105,9 +123,7 @@ export function parseXml(name: string, text: string): XmlDocument {
   const parser = new SaxesParser({ position: true, xmlns: false });
   parser.on("opentag", (tag) => {
     const element = new XmlElement(tag.name, tag.attributes);
-    const parent = open.at(-1);
-    parent?.children.push(element);
-    element.parentElement = parent ?? null;
+    open.at(-1)?.append(element);
     root ??= element;
     if (open.push(element) > DEEPEST) throw new ModelError(`${name} puts more than ${DEEPEST} elements into each other.`);
   });
