@@ -286,6 +286,20 @@ describe("3MF", () => {
   });
 });
 
+/** A binary USD that promises tokens. */
+function crate(tokens: bigint): Uint8Array {
+  const bytes = new Uint8Array(200);
+  const view = new DataView(bytes.buffer);
+  bytes.set(new TextEncoder().encode("PXR-USDC"));
+  bytes[9] = 8;
+  view.setBigUint64(16, 32n, true);
+  view.setBigUint64(32, 1n, true);
+  bytes.set(new TextEncoder().encode("TOKENS"), 40);
+  view.setBigUint64(56, 80n, true);
+  view.setBigUint64(80, tokens, true);
+  return bytes;
+}
+
 describe("USDZ", () => {
   it("reads the scene, its material and the picture in it", () => {
     const built = read(readUsd, zipped("t.usdz", { "t.usda": usda(), "tex/fur.png": PNG }));
@@ -306,6 +320,12 @@ describe("USDZ", () => {
   it.each([
     ["no scene in it", bytesFile("t.usdz", zipped("t.usdz", { "a.txt": "x" }).bytes), "t.usdz holds no USD scene."],
     ["no mesh", textFile("t.usda", "#usda 1.0\n"), "t.usda holds no mesh. Save the model itself into it, not a camera or an empty scene."],
+    [
+      "faces of more corners than indices",
+      textFile("t.usda", usda('upAxis = "Y"', "[(0,0,0),(1,0,0),(0,1,0),(0,0,1)]", "[3,999999999,3,3]")),
+      "t.usda promises more than it holds: it is broken. Save it once more, or as GLB.",
+    ],
+    ["a crate of 2^60 tokens", bytesFile("t.usdc", crate(1n << 60n)), "t.usdc promises more than it holds"],
     ["a cut crate", bytesFile("t.usdc", new TextEncoder().encode("PXR-USDC\u0000\u0007")), /^t\.usdc is a broken USD file/],
   ])("refuses %s", (_, file, message) => {
     expect(() => read(readUsd, file)).toThrow(message);

@@ -5,6 +5,7 @@ import { USDLoader } from "three/examples/jsm/loaders/USDLoader.js";
 import { starts } from "../format";
 import { ModelError } from "../named-file";
 import { checkedArchive } from "./archive";
+import { withCheckedUsd } from "./check-usd";
 import { type BuiltScene, parsed, readScene, type SceneSource } from "./read-scene";
 import { inSurroundings } from "./surroundings";
 
@@ -14,7 +15,9 @@ export function readUsd(source: SceneSource): BuiltScene {
   if (starts(file.bytes, 0, 0x50, 0x4b) && !checkedArchive(file).some((path) => /\.usd[acz]?$/i.test(path))) {
     throw new ModelError(`${name} holds no USD scene.`);
   }
-  const tree = parsed(name, "USD", () => inSurroundings(name, () => new USDLoader().parse(file.bytes.slice().buffer, "")));
+  const tree = parsed(name, "USD", () =>
+    inSurroundings(name, () => withCheckedUsd(name, () => new USDLoader().parse(file.bytes.slice().buffer, ""))),
+  );
   // The loader has turned and scaled it.
   return readScene(source, tree, 1);
 }
