@@ -63,7 +63,10 @@ export interface Ports {
   readonly clock: ClockPort;
   readonly createEngine: () => Engine;
   /** As io/read-model, wherever it runs. Errors: ModelError; on abort the signal's reason. */
-  readonly readModel: (files: readonly NamedFile[], options?: { signal?: AbortSignal }) => Promise<Model>;
+  readonly readModel: (
+    files: readonly NamedFile[],
+    options?: { signal?: AbortSignal; onProgress?: (done: number) => void },
+  ) => Promise<Model>;
   readonly decodePicture: (picture: Picture) => Promise<ImageBitmap>;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;

@@ -107,13 +107,13 @@ export function endsEarly(name: string): ModelError {
   return new ModelError(`${name} ends before its last row. ${CUT_SHORT}`);
 }
 
-export function valuesOf(name: string, bytes: Uint8Array, { format, size }: Header): Reader {
+export function valuesOf(name: string, bytes: Uint8Array, { format, size }: Header, onProgress?: (done: number) => void): Reader {
   const body = bytes.subarray(size);
-  return format === "ascii" ? textValues(name, body) : binaryValues(name, body, format === "binary_little_endian");
+  return format === "ascii" ? textValues(name, body, onProgress) : binaryValues(name, body, format === "binary_little_endian");
 }
 
-function textValues(name: string, body: Uint8Array): Reader {
-  const text = new TextScanner(name, body, "PLY");
+function textValues(name: string, body: Uint8Array, onProgress?: (done: number) => void): Reader {
+  const text = new TextScanner(name, body, "PLY", onProgress);
   return {
     left: () => text.left(),
     value: () => {

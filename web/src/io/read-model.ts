@@ -9,11 +9,19 @@ import { READERS, type Surface } from "./readers";
 
 export type { Model } from "./model";
 
+export interface ReadingOptions {
+  /** 0..1, now and then. */
+  readonly onProgress?: (done: number) => void;
+}
+
+/** Of the whole, what the format's reader takes. */
+const READING = 0.7;
+
 /**
  * Reads the first of `files` that is a model; the others may be its material, picture and .bin files.
  * Errors (ModelError): no model among them, an empty file, and whatever the format's reader finds wrong; the message names the file.
  */
-export async function readModel(files: readonly NamedFile[]): Promise<Model> {
+export async function readModel(files: readonly NamedFile[], { onProgress }: ReadingOptions = {}): Promise<Model> {
   const [file, format] = firstModel(files);
   if (!file || !format) {
     throw new ModelError(noModel(files.map((other) => other.name)));
@@ -22,7 +30,11 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);
   try {
     const notes: string[] = [];
-    const { parts, texture } = surfaceOf(await READERS[format.id]({ name, file, files, notes }), notes);
+    const { parts, texture } = surfaceOf(
+      await READERS[format.id]({ name, file, files, notes, onProgress: (done) => onProgress?.(READING * done) }),
+      notes,
+    );
+    onProgress?.(READING);
     return buildModel(name, parts, texture, notes);
   } catch (error) {
     if (error instanceof ModelError) throw error;

@@ -16,8 +16,14 @@ import { addPolygon } from "./triangulate";
 const MOST_OBJECTS = 200;
 
 /** Errors (ModelError) name the line: a coordinate that is no number, a face index without its vertex. */
-export function readObj(name: string, file: NamedFile, files: readonly NamedFile[], notes: string[]): Built {
-  const obj = new ObjFile(name, new TextScanner(name, file.bytes, "OBJ"));
+export function readObj(
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
+  onProgress?: (done: number) => void,
+): Built {
+  const obj = new ObjFile(name, new TextScanner(name, file.bytes, "OBJ", onProgress));
   obj.read();
   const loose = obj.loose();
   if (loose > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
@@ -133,8 +139,8 @@ class ObjFile {
     this.row(this.positions, 3, "a vertex needs three numbers");
     const more: number[] = [];
     while (more.length < 4 && text.next()) more.push(text.number());
-    // x y z, perhaps w, then perhaps r g b.
-    const rgb = more.length === 3 ? more : more.length === 4 && more[0] <= 1 ? more.slice(0, 3) : [];
+    // r g b, perhaps a; one alone is a weight.
+    const rgb = more.slice(0, 3);
     if (rgb.length === 3 && rgb.every(Number.isFinite)) this.colors.push(...rgb);
   }
 

@@ -8,8 +8,8 @@ import { shortened, TextScanner } from "./text-scanner";
 import { addPolygon } from "./triangulate";
 
 /** Reads an ASCII OFF. Errors (ModelError) name the line. */
-export function readOff(name: string, { bytes }: NamedFile, notes: string[]): Built {
-  const text = new TextScanner(name, bytes, "OFF");
+export function readOff(name: string, { bytes }: NamedFile, notes: string[], onProgress?: (done: number) => void): Built {
+  const text = new TextScanner(name, bytes, "OFF", onProgress);
   const { colored, normals, textured } = readHeader(name, text);
   const [vertices, faces] = [whole(name, text, "its counts"), whole(name, text, "its counts")];
   // A vertex has three numbers and a face one, with something between them.

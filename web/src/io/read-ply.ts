@@ -11,9 +11,15 @@ import { type Element, endsEarly, readHeader, type Reader, type Scalar, valuesOf
 import { addPolygon } from "./triangulate";
 
 /** Errors (ModelError): a header that makes no sense; a file that ends early; a vertex that is not there. */
-export function readPly(name: string, file: NamedFile, files: readonly NamedFile[], notes: string[]): Built {
+export function readPly(
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
+  onProgress?: (done: number) => void,
+): Built {
   const header = readHeader(name, file.bytes);
-  const mesh = new PlyMesh(name, valuesOf(name, file.bytes, header));
+  const mesh = new PlyMesh(name, valuesOf(name, file.bytes, header, onProgress));
   for (const element of header.elements) mesh.read(element);
   mesh.check();
   const loose = mesh.loose();

@@ -8,8 +8,8 @@ import { CUT_SHORT, ModelError, type NamedFile } from "./named-file";
 import { TextScanner } from "./text-scanner";
 
 /** Errors (ModelError): a binary file shorter than its count of triangles; a corner of a text file that is not three numbers. */
-export function readStl(name: string, { bytes }: NamedFile): Built {
-  return { parts: [isText(bytes) ? textPart(name, bytes) : binaryPart(name, bytes)] };
+export function readStl(name: string, { bytes }: NamedFile, onProgress?: (done: number) => void): Built {
+  return { parts: [isText(bytes) ? textPart(name, bytes, onProgress) : binaryPart(name, bytes)] };
 }
 
 /** A binary STL may begin with "solid" too. */
@@ -23,8 +23,8 @@ function trianglesOf(bytes: Uint8Array): number {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength).getUint32(80, true);
 }
 
-function textPart(name: string, bytes: Uint8Array): Built["parts"][number] {
-  const text = new TextScanner(name, bytes, "STL");
+function textPart(name: string, bytes: Uint8Array, onProgress?: (done: number) => void): Built["parts"][number] {
+  const text = new TextScanner(name, bytes, "STL", onProgress);
   const positions: number[] = [];
   let corners = 0;
   let ended = false;

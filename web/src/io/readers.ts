@@ -15,6 +15,8 @@ export interface ModelSource {
   readonly files: readonly NamedFile[];
   /** What was worked around, in plain words: the reader adds to it. */
   readonly notes: string[];
+  /** 0..1 of the reading, now and then. */
+  readonly onProgress: (done: number) => void;
 }
 
 export interface Surface {
@@ -27,10 +29,10 @@ type Reader = (source: ModelSource) => Promise<Built | Surface>;
 const gltf: Reader = async ({ name, file, files, notes }) => (await import("./read-gltf")).readGltf(name, file, files, notes);
 
 export const READERS: Readonly<Record<ModelId, Reader>> = {
-  obj: async ({ name, file, files, notes }) => (await import("./read-obj")).readObj(name, file, files, notes),
-  off: async ({ name, file, notes }) => (await import("./read-off")).readOff(name, file, notes),
-  ply: async ({ name, file, files, notes }) => (await import("./read-ply")).readPly(name, file, files, notes),
-  stl: async ({ name, file }) => (await import("./read-stl")).readStl(name, file),
+  obj: async ({ name, file, files, notes, onProgress }) => (await import("./read-obj")).readObj(name, file, files, notes, onProgress),
+  off: async ({ name, file, notes, onProgress }) => (await import("./read-off")).readOff(name, file, notes, onProgress),
+  ply: async ({ name, file, files, notes, onProgress }) => (await import("./read-ply")).readPly(name, file, files, notes, onProgress),
+  stl: async ({ name, file, onProgress }) => (await import("./read-stl")).readStl(name, file, onProgress),
   gltf,
   glb: gltf,
   fbx: async (source) => (await import("./three-scene/read-fbx")).readFbx(source),

@@ -9,6 +9,8 @@ const SPACE = 32;
 const HASH = 35;
 const BACKSLASH = 92;
 const [PLUS, MINUS, DOT, ZERO, NINE] = [43, 45, 46, 48, 57];
+/** Bytes between two words of progress. */
+const TOLD_EACH = 1 << 20;
 /** Those that double precision holds exactly. */
 const POWERS = Array.from({ length: 23 }, (_, n) => Number(`1e${n}`));
 
@@ -22,12 +24,15 @@ export class TextScanner {
   private end = 0;
   private lineAt = 1;
   private begun = false;
+  /** Where the next word of progress is due. */
+  private told = TOLD_EACH;
 
   /** Errors (ModelError): the bytes are no text. */
   constructor(
     private readonly name: string,
     bytes: Uint8Array,
     kind: string,
+    private readonly onProgress?: (done: number) => void,
   ) {
     this.bytes = plainText(name, bytes, kind);
   }
@@ -42,6 +47,7 @@ export class TextScanner {
         this.passEnd();
       }
       this.begun = true;
+      if (this.at >= this.told) this.tell();
       if (this.peek()) {
         this.line = this.lineAt;
         return true;
@@ -121,6 +127,11 @@ export class TextScanner {
 
   noNumber(): ModelError {
     return this.error(`"${shortened(this.word())}" is not a number`);
+  }
+
+  private tell(): void {
+    this.onProgress?.(this.at / this.bytes.length);
+    this.told = this.at + TOLD_EACH;
   }
 
   private text(from: number, to: number): string {

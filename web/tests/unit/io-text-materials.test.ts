@@ -68,8 +68,8 @@ it("a height map is no normal map", () => {
   expect(obj("usemtl a\nf 1 2 3\n", "newmtl a\nmap_Bump bump.png\n").pictures).toEqual([]);
 });
 
-it("colours of vertices stay, w does not hurt, far places stay exact", () => {
-  const file = textFile("a.obj", "v 500000.125 0 0 1 1 0 0\nv 500001 0 0 1 1 0 0\nv 500000 1 0 1 1 0 0\nf 1 2 3\n");
+it("colours of vertices stay, far places stay exact", () => {
+  const file = textFile("a.obj", "v 500000.125 0 0 1 0 0 .5\nv 500001 0 0 1 0 0 .5\nv 500000 1 0 1 0 0 .5\nf 1 2 3\n");
   const { parts } = readObj("a.obj", file, [file], []);
   expect(parts[0].positions[0]).toBe(500000.125);
   expect(Array.from(parts[0].colors ?? []).slice(0, 3)).toEqual([1, 0, 0]);
@@ -99,7 +99,7 @@ it("PLY: corners with places of their own in the picture that a comment names", 
   );
   const built = readPly("a.ply", file, [file, png("skin.png")], []);
   // Vertex 1 is there twice, vertex 2 once.
-  expect([...built.parts[0].index]).toEqual([0, 1, 2, 3, 4, 2]);
+  expect(Array.from(built.parts[0].index)).toEqual([0, 1, 2, 3, 4, 2]);
   expect(Array.from(built.parts[0].uvs?.[0] ?? [])).toEqual([0, 1, 1, 1, 0, 0, 0.5, 1, 1, 0]);
   expect(built.materials).toMatchObject([{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }]);
   expect(built.pictures).toMatchObject([{ picture: { bytes: PNG } }]);

@@ -19,7 +19,12 @@ export interface SceneSource {
   readonly file: NamedFile;
   readonly files: readonly NamedFile[];
   readonly notes: string[];
+  /** 0..1 of the reading, now and then. */
+  readonly onProgress?: (done: number) => void;
 }
+
+/** Of the reading, what the loader's part of it is. */
+const PARSED = 0.7;
 
 /** What `parse` makes; errors (ModelError): whatever goes wrong in a loader, which expects a sound file, says that it is broken. */
 export function parsed<T>(name: string, kind: string, parse: () => T): T {
@@ -35,7 +40,8 @@ export function parsed<T>(name: string, kind: string, parse: () => T): T {
 }
 
 /** `metres`: what a unit of the tree is long. Errors (ModelError): it holds no triangles. */
-export function readScene({ name, file, files, notes }: SceneSource, tree: Object3D, metres: number): BuiltScene {
+export function readScene({ name, file, files, notes, onProgress }: SceneSource, tree: Object3D, metres: number): BuiltScene {
+  onProgress?.(PARSED);
   const world = new Group();
   world.scale.setScalar(metres);
   world.add(tree);
