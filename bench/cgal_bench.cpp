@@ -16,6 +16,7 @@
 
 namespace {
 
+namespace detail = rigless::detail;
 using rigless::Deformer;
 using rigless_bench::Bench;
 using rigless_bench::Mesh;
@@ -103,7 +104,7 @@ void against_cgal(Bench& bench, const Mesh& mesh) {
   }
   ours.step(30);
   cgal->deform(30, 0);
-  const rigless::ElasticScale<double> elastic{std::numeric_limits<double>::infinity()};
+  const detail::ElasticScale<double> elastic{std::numeric_limits<double>::infinity()};
   const double e = rigless::shape_energy<double>(cells, rigless_bench::in_double(ours.shape()), elastic);
   const double reference = rigless::shape_energy<double>(cells, positions(surface), elastic);
   const double apart = std::abs(e / reference - 1);

@@ -101,7 +101,7 @@ void soak(Bench& bench, const Mesh& mesh, int frames) {
   const Pull<float> pull = rigless_bench::pull<float>(mesh, 0.0f, 0.05f);
   Deformer<float> deformer = bound(mesh, pull, 0.5f);
   const auto rest = mesh.rest<float>();
-  const auto box = rigless::bounds<float>(rest);
+  const auto box = rigless::detail::bounds<float>(rest);
   const Vec3f middle = (box.low + box.high) / 2.0f;
   std::mt19937 random(1);
   const auto anywhere = [&](float size) {

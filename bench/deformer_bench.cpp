@@ -11,6 +11,7 @@
 
 namespace {
 
+namespace detail = rigless::detail;
 using rigless::Control;
 using rigless::Deformer;
 using rigless::Span;
@@ -47,7 +48,7 @@ void against_textbook(Bench& bench, const Mesh& mesh) {
   textbook.set_shape(rigless_bench::in_double(ours.shape()));
   ours.step(30);
   for (int it = 0; it < 30; ++it) textbook.step();
-  const rigless::ElasticScale<double> elastic{std::numeric_limits<double>::infinity()};
+  const detail::ElasticScale<double> elastic{std::numeric_limits<double>::infinity()};
   const double e = rigless::shape_energy<double>(cells, rigless_bench::in_double(ours.shape()), elastic);
   const double reference = rigless::shape_energy<double>(cells, textbook.shape(), elastic);
   const double apart = std::abs(e / reference - 1);
@@ -98,8 +99,8 @@ void frames(Bench& bench, const Mesh& mesh) {
 
 // As fast as one thread can read.
 float sum(const std::vector<float>& numbers) {
-  using Lanes = rigless::simd::Lanes<float>;
-  constexpr std::size_t width = rigless::simd::width<float>, ahead = 8;
+  using Lanes = detail::simd::Lanes<float>;
+  constexpr std::size_t width = detail::simd::width<float>, ahead = 8;
   Lanes sums[ahead] = {};
   for (std::size_t i = 0; i + ahead * width <= numbers.size(); i += ahead * width) {
     for (std::size_t k = 0; k < ahead; ++k) {
@@ -123,20 +124,20 @@ void parts(Bench& bench, const Mesh& mesh) {
   const std::string name = mesh.name + ": bind: ";
   const std::size_t runs = 7;
   bench.run(
-      name + "one-rings", [&] { cells.ring = rigless::one_ring(mesh.faces, n); }, runs);
+      name + "one-rings", [&] { cells.ring = detail::one_ring(mesh.faces, n); }, runs);
   bench.run(
-      name + "look for loose shells", [&] { rigless::tie_shells<float>(rest, cells.ring); }, runs);
+      name + "look for loose shells", [&] { detail::tie_shells<float>(rest, cells.ring); }, runs);
   bench.run(
-      name + "weights", [&] { cells.weight = rigless::cotangent_weights<float>(rest, mesh.faces, cells.ring); }, runs);
-  measure_cells(cells);
+      name + "weights", [&] { cells.weight = detail::cotangent_weights<float>(rest, mesh.faces, cells.ring); }, runs);
+  detail::measure_cells(cells);
   bench.run(
-      name + "ordering", [&] { rigless::detail::minimum_degree_order(cells.ring.first, cells.ring.neighbor); }, runs);
-  rigless::SupernodalLdlt<float> ldlt;
+      name + "ordering", [&] { detail::minimum_degree_order(cells.ring.first, cells.ring.neighbor); }, runs);
+  detail::SupernodalLdlt<float> ldlt;
   bench.run(
       name + "analysis with ordering", [&] { ldlt.analyze(cells.ring.first, cells.ring.neighbor); }, runs);
-  rigless::CellSlices<float> slices;
+  detail::CellSlices<float> slices;
   bench.run(
-      name + "slices", [&] { slices = slice_cells(cells, ldlt.place(), ldlt.vertex_at()); }, runs);
+      name + "slices", [&] { slices = detail::slice_cells(cells, ldlt.place(), ldlt.vertex_at()); }, runs);
 
   std::vector<float> diagonal(rest.size(), 0.0f), coupling(cells.weight.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -150,7 +151,7 @@ void parts(Bench& bench, const Mesh& mesh) {
   bench.run(
       name + "factorisation", [&] { check(ldlt.factorize(diagonal, coupling)); }, runs);
 
-  using Quad = rigless::simd::Quad<float>;
+  using Quad = detail::simd::Quad<float>;
   std::vector<Quad> x(rest.size() + 1, Quad{}), r(rest.size() + 1, Quad{});
   for (std::size_t i = 0; i < rest.size(); ++i) {
     const Vec3f& p = rest[static_cast<std::size_t>(ldlt.vertex_at()[i])];
@@ -162,7 +163,7 @@ void parts(Bench& bench, const Mesh& mesh) {
   };
   const double per_vertex = 1e6 / static_cast<double>(n);
   const double local = bench.run(mesh.name + ": local step", [&] {
-    rigless::shape_step<false>(slices, x.data(), rigless::ElasticScale<float>{rigid}, r.data());
+    detail::shape_step<false>(slices, x.data(), detail::ElasticScale<float>{rigid}, r.data());
   });
   const auto solve_once = [&] {
     std::copy(x.begin(), x.end(), r.begin());
@@ -177,7 +178,7 @@ void parts(Bench& bench, const Mesh& mesh) {
 
 // A disc of about `size` vertices around this one.
 Control<float> disc(const rigless::Cells<float>& cells, std::int32_t vertex, std::size_t size) {
-  const auto reached = rigless::vertices_within<float>(cells.rest, cells.ring, vertex, 1e30f);
+  const auto reached = detail::vertices_within<float>(cells.rest, cells.ring, vertex, 1e30f);
   return {vertex, reached[std::min(size, reached.size()) - 1].distance};
 }
 

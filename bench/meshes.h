@@ -113,7 +113,7 @@ template <class S>
 Pull<S> pull(const Mesh& mesh, S amplitude, S radius = S(0)) {
   Pull<S> out;
   const auto rest = mesh.rest<S>();
-  const S height = rigless::bounds<S>(rest).height();
+  const S height = rigless::detail::bounds<S>(rest).height();
   for (int k = 0; k < 10; ++k) {
     const std::size_t v = rest.size() * static_cast<std::size_t>(2 * k + 1) / 20;
     out.controls.push_back({static_cast<std::int32_t>(v), radius * height});

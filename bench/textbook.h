@@ -25,7 +25,7 @@ class TextbookArap {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (unknown_[i] < 0) continue;
       double diagonal = 0;
-      for_each_edge(cells, i, [&](double w, const Eigen::Vector3d&, std::size_t j) {
+      rigless::detail::for_each_edge(cells, i, [&](double w, const Eigen::Vector3d&, std::size_t j) {
         diagonal += w;
         if (unknown_[j] >= 0) entries.emplace_back(unknown_[i], unknown_[j], -w);
       });
@@ -46,7 +46,7 @@ class TextbookArap {
   void step() {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
-      for_each_edge(cells_, i, [&](double w, const Eigen::Vector3d& e, std::size_t j) {
+      rigless::detail::for_each_edge(cells_, i, [&](double w, const Eigen::Vector3d& e, std::size_t j) {
         C += w * e * (x_[i] - x_[j]).transpose();
       });
       const Eigen::JacobiSVD<Eigen::Matrix3d> svd(C, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -58,7 +58,7 @@ class TextbookArap {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (unknown_[i] < 0) continue;
       Eigen::Vector3d b = Eigen::Vector3d::Zero();
-      for_each_edge(cells_, i, [&](double w, const Eigen::Vector3d& e, std::size_t j) {
+      rigless::detail::for_each_edge(cells_, i, [&](double w, const Eigen::Vector3d& e, std::size_t j) {
         b += 0.5 * w * (rotation_[i] + rotation_[j]) * e;
         if (unknown_[j] < 0) b += w * x_[j];
       });
@@ -89,7 +89,7 @@ rigless::Cells<double> in_double(const rigless::Cells<S>& cells) {
   out.ring = cells.ring;
   out.weight.assign(cells.weight.begin(), cells.weight.end());
   for (const auto& p : cells.rest) out.rest.push_back(p.template cast<double>());
-  measure_cells(out);
+  rigless::detail::measure_cells(out);
   return out;
 }
 

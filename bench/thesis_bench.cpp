@@ -17,6 +17,7 @@
 
 namespace {
 
+namespace detail = rigless::detail;
 using rigless::Control;
 using rigless::Deformer;
 using rigless::Face;
@@ -189,7 +190,7 @@ Mesh clustered(const Mesh& mesh, double cell) {
 
 // The mesh with about this many vertices, by clustering.
 Mesh reduced(const Mesh& mesh, std::size_t vertices) {
-  double low = 0, high = 0.1 * rigless::bounds<double>(mesh.vertices).diagonal();
+  double low = 0, high = 0.1 * detail::bounds<double>(mesh.vertices).diagonal();
   for (int k = 0; k < 30; ++k) {
     const double middle = (low + high) / 2;
     (clustered(mesh, middle).vertices.size() > vertices ? low : high) = middle;
@@ -475,9 +476,9 @@ std::vector<double> volumes(const Mesh& mesh, const std::string& pose) {
     deformer.step(1 + iterations);  // the first from rest is the naive Laplacian edit
     return deformer;
   };
-  const double rest = rigless::signed_volume<double>(mesh.vertices, mesh.faces);
+  const double rest = detail::signed_volume<double>(mesh.vertices, mesh.faces);
   const auto ratio = [&](Span<const Vec3d> surface) {
-    return rigless::signed_volume<double>(surface, mesh.faces) / rest;
+    return detail::signed_volume<double>(surface, mesh.faces) / rest;
   };
   const auto posed = [&](Deformer<double>& deformer, const auto& law) {
     deformer.pose(law);
@@ -525,9 +526,9 @@ void volume_table(Bench& bench, const Output& output) {
 // Fig 4.1 and 3.6
 
 std::string json_surface(const Mesh& mesh, const std::string& name, Span<const Vec3d> surface) {
-  const double rest = rigless::signed_volume<double>(mesh.vertices, mesh.faces);
+  const double rest = detail::signed_volume<double>(mesh.vertices, mesh.faces);
   return json({{"name", json(name)},
-               {"volume", json(rigless::signed_volume<double>(surface, mesh.faces) / rest)},
+               {"volume", json(detail::signed_volume<double>(surface, mesh.faces) / rest)},
                {"positions", json_triples(surface)}});
 }
 

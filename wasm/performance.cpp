@@ -11,6 +11,7 @@ using rigless::Span;
 using rigless::Status;
 using rigless_wasm::answer;
 using rigless_wasm::Ask;
+using rigless_wasm::ConstraintInput;
 using rigless_wasm::HandleTable;
 using rigless_wasm::Miss;
 using rigless_wasm::motions;
@@ -53,17 +54,12 @@ RIGLESS_EXPORT ObjectHandle performance_new() { return plays.add(); }
 
 RIGLESS_EXPORT void performance_delete(ObjectHandle performance) { plays.remove(performance); }
 
-// What the user asks of a performance, before performance_begin(). The control is at x, y, z in that frame on the axes
-// of the mask (bit k for axis k)
-RIGLESS_EXPORT void performance_place(ObjectHandle performance, std::int32_t control, std::int32_t frame,
-                                      std::int32_t axes, double x, double y, double z) {
-  const rigless::AxisMask mask = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
-  plays[performance].constraints.positions.push_back({control, frame, {x, y, z}, mask});
-}
-
-// or does not move from the frame before.
-RIGLESS_EXPORT void performance_still(ObjectHandle performance, std::int32_t control, std::int32_t frame) {
-  plays[performance].constraints.velocities.push_back({control, frame, Vec3d::Zero(), {true, true, true}});
+// What the user asks of a performance, before performance_begin(): first its constraints.
+RIGLESS_EXPORT void performance_constrain(ObjectHandle performance, const ConstraintInput* constraints,
+                                          std::int32_t count) {
+  for (const ConstraintInput& one : view<ConstraintInput>(constraints, count)) {
+    rigless_wasm::add(one, plays[performance].constraints);
+  }
 }
 
 // The control stands in [begin, end), and in no other run of the motion.
@@ -148,7 +144,7 @@ RIGLESS_EXPORT const PerformanceInfo* performance_info(ObjectHandle performance)
   });
 }
 
-// The constraints count through the places, then those that are still.
+// The constraints count kind by kind.
 RIGLESS_EXPORT const Miss* performance_miss(ObjectHandle performance, std::int32_t constraint) {
   const rigless::Performance<float>& p = plays[performance].performance;
   const auto k = static_cast<std::size_t>(constraint);

@@ -10,6 +10,7 @@
 #include "rigless/math/types.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/shape_analysis.h"
+#include "rigless/mesh/solid.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/contacts.h"
 #include "rigless/motion/joint_names.h"

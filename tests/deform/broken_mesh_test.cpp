@@ -8,6 +8,7 @@
 #include "support/cylinder.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 using test::Cylinder;
 
 namespace {

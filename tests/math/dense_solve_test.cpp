@@ -5,6 +5,7 @@
 #include <vector>
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

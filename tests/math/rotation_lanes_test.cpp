@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "support/json.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 TEST_CASE("nearest_rotation agrees with the golden rotations") {
   const json::Value golden = json::parse_file(RIGLESS_TEST_DIR "golden/rotations.json");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace rigless;
+using namespace rigless::detail;
 
 TEST_CASE_TEMPLATE("inverse_root agrees with the library over all magnitudes, and is finite for 0", S, float, double) {
   constexpr int width = simd::width<S>;

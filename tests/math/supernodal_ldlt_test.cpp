@@ -8,6 +8,7 @@
 #include "support/alloc_count.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "support/voxels.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "support/json.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 TEST_CASE("yaw of a BVH motion matches the golden one, turns unwrapped" * test::needs_shared()) {
   const json::Value golden = json::parse_file(RIGLESS_TEST_DIR "golden/motion.json")["bvh"];

@@ -12,6 +12,7 @@
 #include "support/json.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "sample_motions.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

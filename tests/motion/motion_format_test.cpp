@@ -7,6 +7,7 @@
 #include "sample_motions.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 TEST_CASE("formats are told by their first words") {
   CHECK(motion_format(small_bvh) == MotionFormat::bvh);

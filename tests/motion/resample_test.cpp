@@ -5,6 +5,7 @@
 #include <cmath>
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <random>
 
 using namespace rigless;
+using namespace rigless::detail;
 
 TEST_CASE_TEMPLATE("running_minimum is the minimum of each window", S, float, double) {
   std::mt19937 random(3);

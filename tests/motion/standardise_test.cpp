@@ -10,6 +10,7 @@
 #include "sample_motions.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <string>
 
 using namespace rigless;
+using namespace rigless::detail;
 
 TEST_CASE("scan_number agrees with the C library") {
   const char* numbers[] = {"0",

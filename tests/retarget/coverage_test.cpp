@@ -7,6 +7,7 @@
 
 #include "rigless/retarget/detail/key_poses.h"
 
+namespace detail = rigless::detail;
 using rigless::Vec3;
 
 namespace {
@@ -27,10 +28,9 @@ std::vector<Vec3<double>> clip_of(std::int32_t frames) {
   return clip;
 }
 
-rigless::PoseCoverage cover(const std::vector<Vec3<double>>& clip, const std::vector<Vec3<double>>& examples,
-                            const rigless::CoverageOptions& options = {},
-                            const std::vector<std::int32_t>& mirror = {}) {
-  rigless::PoseCoverage coverage;
+detail::PoseCoverage cover(const std::vector<Vec3<double>>& clip, const std::vector<Vec3<double>>& examples,
+                           const detail::CoverageOptions& options = {}, const std::vector<std::int32_t>& mirror = {}) {
+  detail::PoseCoverage coverage;
   coverage.begin(clip, joint_count, paired, examples, mirror, options);
   while (coverage.advance(7)) {
   }
@@ -42,7 +42,7 @@ void teach(const std::vector<Vec3<double>>& clip, std::int32_t frame, std::vecto
   examples.insert(examples.end(), first, first + joint_count);
 }
 
-double rms(const rigless::PoseCoverage& coverage) {
+double rms(const detail::PoseCoverage& coverage) {
   double sum = 0;
   for (const double e : coverage.coverage()) sum += e * e;
   return std::sqrt(sum / static_cast<double>(coverage.coverage().size()));
@@ -76,7 +76,7 @@ TEST_CASE("coverage: each ask lowers the error by its gain, and `want` of them a
     before = after;
   }
   examples.clear();
-  rigless::CoverageOptions options;
+  detail::CoverageOptions options;
   options.asks = 24;
   const auto all = cover(clip, examples, options);
   REQUIRE(all.want() <= 24);
@@ -98,8 +98,7 @@ TEST_CASE("coverage: asked for frames cover the clip better than the farthest on
   std::vector<std::int32_t> asked, farthest;
   const auto coverage = cover(clip, {});
   for (const auto& ask : coverage.asks()) asked.push_back(ask.frame);
-  for (const auto& key : rigless::suggest_key_poses<double>(clip, joint_count, paired, 8))
-    farthest.push_back(key.frame);
+  for (const auto& key : detail::suggest_key_poses<double>(clip, joint_count, paired, 8)) farthest.push_back(key.frame);
   CHECK(error(asked) < error(farthest));
 }
 

@@ -9,6 +9,7 @@
 #include "rigless/retarget/detail/spacetime.h"
 #include "support/json.h"
 
+namespace detail = rigless::detail;
 using rigless::Vec3;
 
 namespace {
@@ -25,7 +26,7 @@ struct Figures {
   double largest_weight = 0;
 };
 
-Figures run(const rigless::json::Value& item, const rigless::SpacetimeOptions<double>& options) {
+Figures run(const rigless::json::Value& item, const detail::SpacetimeOptions<double>& options) {
   const std::size_t tracks = item["J"].size(), frames = item["J"][0].size();
   std::vector<std::vector<double>> features, examples;
   std::vector<std::vector<Vec3<double>>> controls;
@@ -34,9 +35,9 @@ Figures run(const rigless::json::Value& item, const rigless::SpacetimeOptions<do
     examples.push_back(flat(item["JE"][k]));
     controls.push_back(item["CE_noisy"][k].vec3s<double>());
   }
-  std::vector<rigless::TrackInput<double>> inputs;
+  std::vector<detail::TrackInput<double>> inputs;
   for (std::size_t k = 0; k < tracks; ++k) inputs.push_back({features[k], examples[k], controls[k]});
-  rigless::SpacetimeSolver<double> solver;
+  detail::SpacetimeSolver<double> solver;
   REQUIRE(solver.begin(inputs, static_cast<std::int32_t>(frames), {}, options).ok());
   while (solver.advance(100)) {
   }
@@ -62,7 +63,7 @@ TEST_CASE("spacetime: the defaults do better than the reference on walk, jump an
     const auto& reference = item["reference"];
     for (const auto& [name, locality] :
          {std::pair{"all_examples_locality_.03", 0.03}, {"all_examples_locality_.01", 0.01}}) {
-      rigless::SpacetimeOptions<double> options;
+      detail::SpacetimeOptions<double> options;
       options.weights.locality = locality;
       options.weights.sharing = 0;
       const Figures same = run(item, options);
@@ -73,7 +74,7 @@ TEST_CASE("spacetime: the defaults do better than the reference on walk, jump an
     CHECK(standard.rmse <= 0.97 * reference["all_examples_locality_.03"]["rmse"].number());
     CHECK(standard.largest_weight < 2);
 
-    const Figures paper = run(item, rigless::SpacetimeOptions<double>::thesis());
+    const Figures paper = run(item, detail::SpacetimeOptions<double>::thesis());
     CHECK(paper.rmse == doctest::Approx(reference["thesis"]["rmse"].number()).epsilon(0.02));
     MESSAGE(item["name"].string() << ": rmse " << standard.rmse << ", the paper's settings " << paper.rmse);
   }

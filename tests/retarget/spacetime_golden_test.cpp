@@ -12,15 +12,16 @@
 
 namespace {
 
+namespace detail = rigless::detail;
 using rigless::Vec3;
 
 template <class S>
 struct Problem {
   std::vector<std::vector<S>> features, example_features;
   std::vector<std::vector<Vec3<S>>> controls;
-  std::vector<rigless::TrackInput<S>> tracks;
+  std::vector<detail::TrackInput<S>> tracks;
   std::int32_t frames = 0;
-  rigless::SpacetimeOptions<S> options;
+  detail::SpacetimeOptions<S> options;
   rigless::Constraints<S> constraints;
 };
 
@@ -59,7 +60,7 @@ S mean_diagonal(const Problem<S>& p) {
   for (std::size_t k = 0; k < p.tracks.size(); ++k) {
     const std::size_t n = p.controls[k].size();
     for (std::int32_t f = 0; f < p.frames; ++f) {
-      const double second = static_cast<double>(rigless::second_difference_row<S>(p.frames, f)[2]);
+      const double second = static_cast<double>(detail::second_difference_row<S>(p.frames, f)[2]);
       const double pull = static_cast<double>(t.acceleration * t.acceleration) * second;
       const Vec3<S> j(&p.features[k][static_cast<std::size_t>(f) * 3]);
       std::vector<std::pair<double, std::size_t>> nearest;
@@ -181,7 +182,7 @@ TEST_CASE("spacetime: tracks, weights and objective of the reference") {
     CAPTURE(c["name"].string());
     Problem<double> p;
     read(golden(), c, p);
-    rigless::SpacetimeSolver<double> solver;
+    detail::SpacetimeSolver<double> solver;
     REQUIRE(solver.begin(p.tracks, p.frames, p.constraints, p.options).ok());
     while (solver.advance(1)) {
     }
@@ -205,7 +206,7 @@ TEST_CASE("spacetime: bounded weights of the reference") {
     Problem<double> p;
     read(golden(), c, p);
     const double lower = c["options"]["bounds"][0].number(), upper = c["options"]["bounds"][1].number();
-    rigless::BoundedSpacetimeSolver<double> solver;
+    detail::BoundedSpacetimeSolver<double> solver;
     solver.set_bounds(lower, upper);
     REQUIRE(solver.begin(p.tracks, p.frames, p.constraints, p.options).ok());
     while (solver.advance(1000)) {
@@ -238,8 +239,8 @@ TEST_CASE("spacetime: bounded weights of the reference") {
 TEST_CASE("spacetime: bounds that nothing touches change nothing, and cost one system") {
   Problem<double> p;
   read(golden(), golden()["cases"][2], p);
-  rigless::SpacetimeSolver<double> free;
-  rigless::BoundedSpacetimeSolver<double> bounded;
+  detail::SpacetimeSolver<double> free;
+  detail::BoundedSpacetimeSolver<double> bounded;
   bounded.set_bounds(-100, 100);
   REQUIRE(free.begin(p.tracks, p.frames, p.constraints, p.options).ok());
   REQUIRE(bounded.begin(p.tracks, p.frames, p.constraints, p.options).ok());
@@ -256,7 +257,7 @@ TEST_CASE("spacetime: float stays near the reference") {
     CAPTURE(c["name"].string());
     Problem<float> p;
     read(golden(), c, p);
-    rigless::SpacetimeSolver<float> solver;
+    detail::SpacetimeSolver<float> solver;
     REQUIRE(solver.begin(p.tracks, p.frames, p.constraints, p.options).ok());
     while (solver.advance(1 << 20)) {
     }

@@ -9,6 +9,7 @@
 #include "rigless/retarget/detail/band_solver.h"
 #include "support/alloc_count.h"
 
+namespace detail = rigless::detail;
 using rigless::Vec3;
 
 namespace {
@@ -18,7 +19,7 @@ template <class S>
 struct Problem {
   std::vector<S> features, examples;
   std::vector<Vec3<S>> controls;
-  std::vector<rigless::TrackInput<S>> tracks;
+  std::vector<detail::TrackInput<S>> tracks;
 
   Problem() {
     for (int i = 0; i < 40 * 4; ++i) features.push_back(static_cast<S>(std::sin(0.1 * i)));
@@ -32,14 +33,14 @@ struct Problem {
 
 TEST_CASE_TEMPLATE("band solver: agrees with a dense solve, and for one frame too", S, double, float) {
   for (const std::int32_t frames : {1, 2, 3, 9}) {
-    rigless::BandSolver<S, 3> band;
+    detail::BandSolver<S, 3> band;
     band.bind(frames);
     Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> dense =
         Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(3 * frames, 3 * frames);
     Eigen::Matrix<S, Eigen::Dynamic, 1> right = Eigen::Matrix<S, Eigen::Dynamic, 1>::LinSpaced(3 * frames, S(-1), S(2));
     std::vector<Vec3<S>> x;
     for (std::int32_t f = 0; f < frames; ++f) {
-      typename rigless::BandSolver<S, 3>::Row row;
+      typename detail::BandSolver<S, 3>::Row row;
       for (std::int32_t g = 0; g < 5; ++g) {
         auto& block = row[static_cast<std::size_t>(g)];
         block.setZero();
@@ -62,20 +63,20 @@ TEST_CASE_TEMPLATE("band solver: agrees with a dense solve, and for one frame to
 }
 
 TEST_CASE("second differences: rows of D2'D2") {
-  CHECK(rigless::second_difference_row<double>(9, 4) == std::array<double, 5>{1, -4, 6, -4, 1});
-  CHECK(rigless::second_difference_row<double>(9, 0) == std::array<double, 5>{0, 0, 1, -2, 1});
-  CHECK(rigless::second_difference_row<double>(9, 1) == std::array<double, 5>{0, -2, 5, -4, 1});
-  CHECK(rigless::second_difference_row<double>(3, 1) == std::array<double, 5>{0, -2, 4, -2, 0});
-  CHECK(rigless::second_difference_row<double>(2, 1) == std::array<double, 5>{0, 0, 0, 0, 0});
+  CHECK(detail::second_difference_row<double>(9, 4) == std::array<double, 5>{1, -4, 6, -4, 1});
+  CHECK(detail::second_difference_row<double>(9, 0) == std::array<double, 5>{0, 0, 1, -2, 1});
+  CHECK(detail::second_difference_row<double>(9, 1) == std::array<double, 5>{0, -2, 5, -4, 1});
+  CHECK(detail::second_difference_row<double>(3, 1) == std::array<double, 5>{0, -2, 4, -2, 0});
+  CHECK(detail::second_difference_row<double>(2, 1) == std::array<double, 5>{0, 0, 0, 0, 0});
 }
 
 TEST_CASE_TEMPLATE("spacetime: frames and constraint equations allocate nothing", S, double, float) {
   const Problem<S> problem;
   rigless::Constraints<S> constraints;
   constraints.positions.push_back({0, 8, Vec3<S>(1, 2, 3), {true, true, true}});
-  rigless::SpacetimeOptions<S> options;
+  detail::SpacetimeOptions<S> options;
   options.track.offset_weight = S(0.05);
-  rigless::SpacetimeSolver<S> solver;
+  detail::SpacetimeSolver<S> solver;
   REQUIRE(solver.begin(problem.tracks, 40, constraints, options).ok());
   const auto allocations = [&](std::int32_t frames) {
     const auto before = rigless::test::allocation_count;
@@ -92,7 +93,7 @@ TEST_CASE_TEMPLATE("spacetime: frames and constraint equations allocate nothing"
 
 TEST_CASE("spacetime: what cannot be solved is named") {
   const Problem<double> problem;
-  rigless::SpacetimeSolver<double> solver;
+  detail::SpacetimeSolver<double> solver;
   CHECK(solver.begin(problem.tracks, 0, {}, {}).error == rigless::Error::no_frames);
   auto tracks = problem.tracks;
   tracks[1].example_controls = {};
@@ -116,7 +117,7 @@ TEST_CASE("spacetime: what cannot be solved is named") {
 
 TEST_CASE("spacetime: the weights of every frame sum to 1") {
   const Problem<double> problem;
-  rigless::SpacetimeSolver<double> solver;
+  detail::SpacetimeSolver<double> solver;
   REQUIRE(solver.begin(problem.tracks, 40, {}, {}).ok());
   while (solver.advance(11)) {
   }

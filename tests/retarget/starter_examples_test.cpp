@@ -7,6 +7,7 @@
 
 #include "rigless/retarget/retarget.h"
 
+namespace detail = rigless::detail;
 using rigless::Vec3;
 
 namespace {
@@ -29,11 +30,11 @@ const std::vector<std::int32_t> pairs = {1, 2, 3, -1};
 const std::vector<Vec3<double>> rest = {{0, 1.7, 0.4}, {0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.8, -0.6}};
 
 template <class S>
-rigless::ExampleStorage<S> started(const std::vector<Vec3<S>>& clip, const rigless::StarterModel<S>& model,
+rigless::ExampleStorage<S> started(const std::vector<Vec3<S>>& clip, const detail::StarterModel<S>& model,
                                    rigless::ExampleStorage<S> examples = {},
                                    const std::vector<std::int32_t>& joints = pairs) {
   const auto users = static_cast<std::int32_t>(examples.controls.size() / joints.size());
-  REQUIRE(rigless::add_starters<S>(clip, joint_count, joints, model, users, {}, examples).ok());
+  REQUIRE(detail::add_starters<S>(clip, joint_count, joints, model, users, {}, examples).ok());
   return examples;
 }
 
@@ -104,8 +105,7 @@ TEST_CASE("starter examples: soles that stand are level, none is lower") {
   std::vector<Vec3<double>> uneven = rest;
   uneven[1].y() = 0.1;  // a control higher above its sole
   const auto examples = started<double>(clip, {uneven, 0, 1.7, stands});
-  const auto keys =
-      rigless::suggest_key_poses<double>(clip, joint_count, rigless::paired_joints(pairs, joint_count), 6);
+  const auto keys = detail::suggest_key_poses<double>(clip, joint_count, detail::paired_joints(pairs, joint_count), 6);
   for (std::size_t n = 0; n < keys.size(); ++n) {
     const double left = examples.controls[n * 4 + 1].y() - 0.1, right = examples.controls[n * 4 + 2].y();
     if (keys[n].frame % 9 < 5) CHECK(left == doctest::Approx(right));
@@ -115,7 +115,7 @@ TEST_CASE("starter examples: soles that stand are level, none is lower") {
 
 TEST_CASE("starter examples: they learn from the user's examples, and yield to them") {
   const auto clip = walk(120);
-  const rigless::StarterModel<double> model = {rest, 0, 1.7};
+  const detail::StarterModel<double> model = {rest, 0, 1.7};
   const auto starters = started<double>(clip, model);
 
   // The user shows the pose of the second starter, and in it the head a metre higher.
@@ -127,11 +127,10 @@ TEST_CASE("starter examples: they learn from the user's examples, and yield to t
   CHECK(one.controls.size() / 4 <= 5);
   CHECK(one.controls.size() / 4 >= 3);
   CHECK(one.controls[0] == mine.controls[0]);
-  const auto paired = rigless::paired_joints(pairs, joint_count);
-  const auto spreads = rigless::joint_spreads<double>(clip, joint_count);
+  const auto paired = detail::paired_joints(pairs, joint_count);
+  const auto spreads = detail::joint_spreads<double>(clip, joint_count);
   for (std::size_t n = 1; n < one.joints.size() / joint_count; ++n) {
-    CHECK(rigless::pose_distance_squared<double>(&one.joints[0], &one.joints[n * joint_count], paired, spreads) >=
-          0.49);
+    CHECK(detail::pose_distance_squared<double>(&one.joints[0], &one.joints[n * joint_count], paired, spreads) >= 0.49);
     const double learned = one.controls[n * 4].y() - rest[0].y();
     CHECK(learned > 0.01);
     CHECK(learned < 0.9);
@@ -155,10 +154,10 @@ TEST_CASE("starter examples: one frame gives one, bad data none") {
   auto examples = started<double>(clip, {rest, 0, 1.7});
   REQUIRE(examples.controls.size() == 4);
   for (std::size_t c = 0; c < 4; ++c) CHECK((examples.controls[c] - rest[c]).norm() < 1e-12);
-  CHECK(rigless::add_starters<double>({}, joint_count, pairs, {rest, 0, 1.7}, 0, {}, examples).error ==
+  CHECK(detail::add_starters<double>({}, joint_count, pairs, {rest, 0, 1.7}, 0, {}, examples).error ==
         rigless::Error::no_frames);
   const std::vector<std::int32_t> wrong = {1, 2, 9, -1};
-  const auto status = rigless::add_starters<double>(clip, joint_count, wrong, {rest, 0, 1.7}, 1, {}, examples);
+  const auto status = detail::add_starters<double>(clip, joint_count, wrong, {rest, 0, 1.7}, 1, {}, examples);
   CHECK(status.error == rigless::Error::index_out_of_range);
   CHECK(status.where == 2);
   CHECK(examples.controls.size() == 4);

@@ -52,7 +52,7 @@ struct Dancer {
 
   // Returns what a length of the file is multiplied by.
   S set_surface(Surface<S> surface) {
-    const Bounds<S> box = bounds<S>(surface.vertices);
+    const detail::Bounds<S> box = detail::bounds<S>(surface.vertices);
     const S scale = height / box.height();
     const Vec3<S> foot((box.low.x() + box.high.x()) / 2, box.low.y(), (box.low.z() + box.high.z()) / 2);
     for (Vec3<S>& p : surface.vertices) p = (p - foot) * scale;

@@ -7,6 +7,7 @@
 #include "rigless/scene/performance_builder.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

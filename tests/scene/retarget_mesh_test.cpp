@@ -12,6 +12,7 @@
 #include "support/voxels.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 
@@ -145,7 +146,7 @@ std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
   REQUIRE(build_performance(input, made).ok());
   const Performance<S> performance = performance_cast<S>(made);
   Bake<S> bake;
-  bake.bind(body.deformer(), performance, S(1.5));
+  bake.bind(body, performance, S(1.5));
   std::vector<Vec3<S>> frames;
   for (std::int32_t f = 0; f < performance.frames; ++f) {
     REQUIRE(bake.frame(f).ok());

@@ -39,7 +39,7 @@ TEST_CASE_TEMPLATE("root motion: the lowest control is the anchor", S, double, f
   const auto file = golden("global.json");
   const double tolerance = std::is_same_v<S, double> ? file["tol"].number() : 1e-5;
   const auto tracks = walk<S>(file);
-  const S g = rigless::gravity_per_frame(static_cast<S>(file["fps"].number()));
+  const S g = rigless::detail::gravity_per_frame(static_cast<S>(file["fps"].number()));
   std::vector<Vec3<S>> root;
   std::vector<std::int32_t> anchors;
   REQUIRE(rigless::root_from_anchor<S>(tracks, 2, {}, g, root, anchors).ok());

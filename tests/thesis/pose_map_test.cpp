@@ -71,7 +71,7 @@ TEST_CASE("pose maps: the weights that the retargeting smooths are the reference
   rigless::WeightOptions<double> options;
   options.locality = 0.05;
   options.sharing = 0;
-  rigless::WeightElimination<double> elimination;
+  rigless::detail::WeightElimination<double> elimination;
   elimination.bind(features, golden.controls, options);
   double error = 0, weight_error = 0;
   for (std::size_t f = 0; f < golden.clip.size(); ++f) {

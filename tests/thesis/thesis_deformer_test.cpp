@@ -7,6 +7,7 @@
 #include "support/json.h"
 
 using namespace rigless;
+using namespace rigless::detail;
 
 namespace {
 

@@ -4,15 +4,26 @@
 
 #include "rigless/deform/control.h"
 #include "rigless/deform/detail/build_cells.h"
-#include "rigless/deform/detail/discs.h"
-#include "rigless/deform/detail/hard_rows.h"
-#include "rigless/deform/detail/local_step.h"
-#include "rigless/deform/detail/pose_step.h"
+#include "rigless/deform/detail/iterate.h"
 #include "rigless/deform/detail/volume_law.h"
 #include "rigless/math/detail/bytes.h"
-#include "rigless/math/detail/rotation.h"
 
 namespace rigless {
+
+// Cotangent weights, clamped; ties between shells get weight 1, about the mean of a well-shaped mesh.
+struct CotangentWeights {
+  template <class S>
+  static std::vector<S> of(Span<const Vec3<S>> vertices, Span<const Face> faces, const OneRing& ring) {
+    return detail::cotangent_weights<S>(vertices, faces, ring);
+  }
+};
+
+struct UniformWeights {
+  template <class S>
+  static std::vector<S> of(Span<const Vec3<S>>, Span<const Face>, const OneRing& ring) {
+    return detail::uniform_weights<S>(ring);
+  }
+};
 
 template <class S>
 struct DeformerOptions {
@@ -24,9 +35,9 @@ struct DeformerOptions {
 // What an iteration goes on from: a surface and the rotations that were last fitted to it.
 template <class S>
 struct ShapeState {
-  std::vector<simd::Quad<S>> x;              // V + 1, in elimination order
-  std::vector<QuaternionLanes<S>> rotation;  // of cells
-  std::vector<Mat3<S>> disc_rotation;        // C
+  std::vector<detail::simd::Quad<S>> x;              // V + 1, in elimination order
+  std::vector<detail::QuaternionLanes<S>> rotation;  // of cells
+  std::vector<Mat3<S>> disc_rotation;                // C
 };
 
 // Two states, after Fig 3.4 of the thesis. step() iterates the scaled shape state; pose() derives the surface that is
@@ -40,9 +51,18 @@ class Deformer {
   // size_mismatch (rigidity).
   RIGLESS_COLD Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
+  // Binds a graph of V nodes as a surface is bound: neighbours, and a weight above 0 for each directed edge, the same both
+  // ways. Allocates. On failure the old binding stays.
+  // Errors: not_finite (node, also for a rigidity that is not above 0); size_mismatch (weights, rigidity).
+  RIGLESS_COLD Status bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                 const DeformerOptions<S>& options = {});
+
   // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old controls stay.
   // Errors: no_controls; index_out_of_range (control); factorization_failed.
   RIGLESS_COLD Status set_controls(Span<const Control<S>> controls);
+
+  // The same with controls that hold these vertices, at least one each. Errors: factorization_failed.
+  RIGLESS_COLD Status set_discs(Discs<S> discs);
 
   // C target positions of the controls. One that is not finite is not taken: its control stays where it was told to be
   // before. No allocation.
@@ -85,151 +105,168 @@ class Deformer {
 
   Span<const Vec3<S>> shape() const { return shape_; }
   Span<const Vec3<S>> positions() const { return positions_; }
-  Span<const Mat3<S>> disc_rotations() const { return disc_rotation_; }
-  const Discs& discs() const { return discs_; }
-  const Cells<S>& cells() const { return cells_; }
-  std::int32_t vertices() const { return count_of(cells_); }
-  std::int32_t controls() const { return count_of(discs_); }
+  Span<const Mat3<S>> disc_rotations() const { return iteration_.disc_rotation; }
+  const Discs<S>& discs() const { return iteration_.discs; }
+  const Cells<S>& cells() const { return iteration_.cells; }
+  std::int32_t vertices() const { return count_of(iteration_.cells); }
+  std::int32_t controls() const { return count_of(iteration_.discs); }
 
   // Of the shape state, at its present surface. No allocation.
-  double energy() { return shape_energy(slices_, x_.data(), elastic_); }
+  double energy() { return detail::shape_energy(iteration_.slices, iteration_.x.data(), iteration_.elastic); }
 
   // Of everything bound here.
   std::int64_t bytes() const;
 
  private:
-  using Quad = simd::Quad<S>;
+  using Quad = detail::simd::Quad<S>;
 
-  Quad& row(Span<Quad> rows, std::size_t vertex) { return nth(rows, system_.place()[vertex]); }
-  Vec3<S> position(std::size_t vertex);
-  template <bool with_energy>
-  double fit_residual();
-  void solve_update();
-  void unturn_discs(const Mat3<S>& rotation);
-  void turn_discs();
-  void hold();
-  void show(Span<const Quad> update, Span<Vec3<S>> out) const;
+  void begin(const DeformerOptions<S>& options);
 
-  Cells<S> cells_;
-  ElasticScale<S> elastic_;
-  Discs discs_;
-  HardRows<S> system_;
-  CellSlices<S> slices_;
-  std::vector<Vec3<S>> targets_;        // C
-  std::vector<Mat3<S>> disc_rotation_;  // C
-  DiscSeams<S> seams_;
-  std::vector<Quad> moved_;         // per held vertex: its last move
-  std::vector<char> turned_;        // C: the caller has set its rotation
-  std::vector<Quad> x_;             // V + 1: shape state, in elimination order
-  std::vector<Quad> r_;             // V + 1: residual, then update
-  std::vector<Quad> solved_;        // V + 1: the last iterate before momentum carried it on
+  detail::ShapeIteration<S> iteration_;
   std::vector<Vec3<S>> shape_;      // V, as the caller numbers them
   std::vector<Vec3<S>> positions_;  // V
 };
 
 template <class S, class Weights>
 Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options) {
-  if (const Status s = build_cells<Weights, S>(rest, faces, options.rigidity, cells_); !s.ok()) return s;
-  elastic_.mu = options.elastic;
-  system_.bind(cells_);
-  slices_ = slice_cells(cells_, system_.place(), system_.vertex_at());
-  discs_ = {};
-  seams_ = {};
-  discs_.owner.assign(cells_.size(), -1);
-  targets_.clear();
-  disc_rotation_.clear();
-  turned_.clear();
-  for (auto* rows : {&x_, &r_, &solved_}) rows->assign(cells_.size() + 1, Quad{});
-  shape_.resize(cells_.size());
-  positions_.resize(cells_.size());
-  reset();
+  if (const Status s = detail::build_cells<Weights, S>(rest, faces, options.rigidity, iteration_.cells); !s.ok())
+    return s;
+  begin(options);
   return {};
 }
 
 template <class S, class Weights>
+Status Deformer<S, Weights>::bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                        const DeformerOptions<S>& options) {
+  if (const Status s = detail::graph_cells<S>(rest, ring, weight, options.rigidity, iteration_.cells); !s.ok())
+    return s;
+  begin(options);
+  return {};
+}
+
+// With new cells and no controls.
+template <class S, class Weights>
+void Deformer<S, Weights>::begin(const DeformerOptions<S>& options) {
+  iteration_.elastic.mu = options.elastic;
+  iteration_.system.bind(iteration_.cells);
+  iteration_.slices = detail::slice_cells(iteration_.cells, iteration_.system.place(), iteration_.system.vertex_at());
+  iteration_.discs = {};
+  iteration_.seams = {};
+  iteration_.discs.owner.assign(iteration_.cells.size(), -1);
+  iteration_.targets.clear();
+  iteration_.disc_rotation.clear();
+  iteration_.turned.clear();
+  for (auto* rows : {&iteration_.x, &iteration_.r, &iteration_.solved})
+    rows->assign(iteration_.cells.size() + 1, Quad{});
+  shape_.resize(iteration_.cells.size());
+  positions_.resize(iteration_.cells.size());
+  reset();
+}
+
+template <class S, class Weights>
 Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
-  Discs discs;
-  if (const Status s = make_discs(cells_, controls, discs); !s.ok()) return s;
-  if (const Status s = system_.hold(cells_, discs_, discs); !s.ok()) return s;
-  discs_ = std::move(discs);
-  seams_ = find_seams(cells_, discs_);
-  moved_.assign(discs_.member.size(), Quad{});
-  targets_.clear();
-  for (std::int32_t v : discs_.center) targets_.push_back(nth(cells_.rest, v));
-  disc_rotation_.assign(controls.size(), Mat3<S>::Identity());
-  turned_.assign(controls.size(), 0);
+  Discs<S> discs;
+  if (const Status s = detail::make_discs(iteration_.cells, controls, discs); !s.ok()) return s;
+  return set_discs(std::move(discs));
+}
+
+template <class S, class Weights>
+Status Deformer<S, Weights>::set_discs(Discs<S> discs) {
+  if (const Status s = iteration_.system.hold(iteration_.cells, iteration_.discs, discs); !s.ok()) return s;
+  iteration_.discs = std::move(discs);
+  iteration_.seams = detail::find_seams(iteration_.cells, iteration_.discs);
+  iteration_.moved.assign(iteration_.discs.member.size(), Quad{});
+  iteration_.targets = iteration_.discs.center;
+  iteration_.disc_rotation.assign(iteration_.discs.size(), Mat3<S>::Identity());
+  iteration_.turned.assign(iteration_.discs.size(), 0);
   reset();
   return {};
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::set_targets(Span<const Vec3<S>> targets) {
-  RIGLESS_ASSERT(targets.size() == targets_.size());
+  RIGLESS_ASSERT(targets.size() == iteration_.targets.size());
   for (std::size_t c = 0; c < targets.size(); ++c) {
-    if (targets[c].allFinite()) targets_[c] = targets[c];
+    if (targets[c].allFinite()) iteration_.targets[c] = targets[c];
   }
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::reset() {
-  set_shape(cells_.rest);
+  set_shape(iteration_.cells.rest);
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::set_shape(Span<const Vec3<S>> surface) {
   RIGLESS_ASSERT(surface.size() == shape_.size());
   for (std::size_t v = 0; v < surface.size(); ++v)
-    row(x_, v) = Quad{surface[v].x(), surface[v].y(), surface[v].z(), S(0)};
+    iteration_.row(iteration_.x, v) = Quad{surface[v].x(), surface[v].y(), surface[v].z(), S(0)};
   std::copy(surface.begin(), surface.end(), shape_.begin());
   std::copy(surface.begin(), surface.end(), positions_.begin());
-  unturn_discs(Mat3<S>::Identity());
-  slices_.set_rotations(Mat3<S>::Identity());
+  iteration_.unturn_discs(Mat3<S>::Identity());
+  iteration_.slices.set_rotations(Mat3<S>::Identity());
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::keep(ShapeState<S>& state) const {
-  state.x.assign(x_.begin(), x_.end());
-  state.rotation.resize(slices_.size());
-  for (std::size_t s = 0; s < slices_.size(); ++s) state.rotation[s] = slices_.cell[s].q;
-  state.disc_rotation.assign(disc_rotation_.begin(), disc_rotation_.end());
+  state.x.assign(iteration_.x.begin(), iteration_.x.end());
+  state.rotation.resize(iteration_.slices.size());
+  for (std::size_t s = 0; s < iteration_.slices.size(); ++s) state.rotation[s] = iteration_.slices.cell[s].q;
+  state.disc_rotation.assign(iteration_.disc_rotation.begin(), iteration_.disc_rotation.end());
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::resume(const ShapeState<S>& state) {
-  RIGLESS_ASSERT(state.x.size() == x_.size() && state.disc_rotation.size() == discs_.size());
-  std::copy(state.x.begin(), state.x.end(), x_.begin());
-  for (std::size_t s = 0; s < slices_.size(); ++s) slices_.cell[s].q = state.rotation[s];
-  for (std::size_t c = 0; c < discs_.size(); ++c) {
-    if (!turned_[c]) disc_rotation_[c] = state.disc_rotation[c];
+  RIGLESS_ASSERT(state.x.size() == iteration_.x.size() && state.disc_rotation.size() == iteration_.discs.size());
+  std::copy(state.x.begin(), state.x.end(), iteration_.x.begin());
+  for (std::size_t s = 0; s < iteration_.slices.size(); ++s) iteration_.slices.cell[s].q = state.rotation[s];
+  for (std::size_t c = 0; c < iteration_.discs.size(); ++c) {
+    if (!iteration_.turned[c]) iteration_.disc_rotation[c] = state.disc_rotation[c];
   }
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::turn(std::int32_t c, const Mat3<S>& rotation) {
-  nth(disc_rotation_, c) = rotation;
-  nth(turned_, c) = 1;
+  nth(iteration_.disc_rotation, c) = rotation;
+  nth(iteration_.turned, c) = 1;
 }
 
 template <class S, class Weights>
 void Deformer<S, Weights>::free_turn(std::int32_t c) {
-  nth(turned_, c) = 0;
+  nth(iteration_.turned, c) = 0;
 }
 
-// Where free discs begin.
 template <class S, class Weights>
-void Deformer<S, Weights>::unturn_discs(const Mat3<S>& rotation) {
-  for (std::size_t c = 0; c < discs_.size(); ++c) {
-    if (!turned_[c]) disc_rotation_[c] = rotation;
-  }
+void Deformer<S, Weights>::start() {
+  iteration_.start();
+  iteration_.show({}, shape_);
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::step(int iterations) {
+  iteration_.step(iterations);
+  iteration_.show({}, shape_);
+}
+
+template <class S, class Weights>
+void Deformer<S, Weights>::relax(int iterations) {
+  iteration_.relax(iterations);
+  iteration_.show({}, shape_);
+}
+
+template <class S, class Weights>
+template <class Law, std::enable_if_t<std::is_class_v<Law>, int>>
+void Deformer<S, Weights>::pose(const Law& law) {
+  iteration_.pose(law);
+  iteration_.show(iteration_.r, positions_);
 }
 
 template <class S, class Weights>
 std::int64_t Deformer<S, Weights>::bytes() const {
-  return system_.bytes() + slices_.bytes() +
-         bytes_of(cells_.ring.first, cells_.ring.neighbor, cells_.weight, cells_.rest, cells_.weighted_size,
-                  discs_.owner, discs_.member, x_, r_, solved_, shape_, positions_);
+  return iteration_.system.bytes() + iteration_.slices.bytes() +
+         detail::bytes_of(iteration_.cells.ring.first, iteration_.cells.ring.neighbor, iteration_.cells.weight,
+                          iteration_.cells.rest, iteration_.cells.weighted_size, iteration_.discs.owner,
+                          iteration_.discs.member, iteration_.x, iteration_.r, iteration_.solved, shape_, positions_);
 }
 
 }  // namespace rigless
-
-#include "rigless/deform/detail/iterate.h"

@@ -38,7 +38,7 @@ RIGLESS_COLD inline MeshTopology inspect_mesh(Span<const Face> faces, std::int32
     if (run > 2) t.non_manifold_edges++;
   }
   for (char u : used) t.isolated_vertices += u ? 0 : 1;
-  t.shells = find_shells(one_ring(faces, vertices)).count - t.isolated_vertices;
+  t.shells = detail::find_shells(detail::one_ring(faces, vertices)).count - t.isolated_vertices;
   return t;
 }
 

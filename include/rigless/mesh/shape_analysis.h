@@ -18,24 +18,24 @@ struct ShapeAnalysis {
 template <class S>
 Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out,
                      const Posture<S>* posture = nullptr) {
-  if (const Status status = check_faces(faces, count_of(vertices)); !status.ok()) return status;
+  if (const Status status = detail::check_faces(faces, count_of(vertices)); !status.ok()) return status;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!vertices[v].allFinite()) return {Error::not_finite, v};
   }
   ShapeAnalysis<S> found;
-  const SurfaceGraph<S> graph = surface_graph(vertices, faces);
-  const std::vector<S> average = average_geodesic(graph);
-  const std::vector<Vec3<S>> samples = surface_samples(vertices, faces, 6000);
-  const S diagonal = bounds(vertices).diagonal();
+  const detail::SurfaceGraph<S> graph = detail::surface_graph(vertices, faces);
+  const std::vector<S> average = detail::average_geodesic(graph);
+  const std::vector<Vec3<S>> samples = detail::surface_samples(vertices, faces, 6000);
+  const S diagonal = detail::bounds(vertices).diagonal();
   std::vector<Vec3<S>> tips;  // those that stand apart: the rim of a disc is one
-  for (const Extremity<S>& e : extremities<S>(graph, average, S(0.04) * diagonal)) {
+  for (const detail::Extremity<S>& e : detail::extremities<S>(graph, average, S(0.04) * diagonal)) {
     const Vec3<S>& tip = nth(graph.position, e.node);
     const auto near = [&](const Vec3<S>& other) { return (other - tip).norm() < S(0.1) * diagonal; };
     if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
   }
-  found.plane = SymmetryFinder<S>(samples).best(tips);
-  found.posture = posture != nullptr ? *posture : guess_posture<S>(samples, tips, found.plane);
-  found.points = BodyReader<S>(graph, average, found.posture, found.plane).read();
+  found.plane = detail::SymmetryFinder<S>(samples).best(tips);
+  found.posture = posture != nullptr ? *posture : detail::guess_posture<S>(samples, tips, found.plane);
+  found.points = detail::BodyReader<S>(graph, average, found.posture, found.plane).read();
   out = std::move(found);
   return {};
 }

@@ -105,10 +105,10 @@ class ContactFinder {
     return x;
   }
   std::vector<S> smooth(const std::vector<S>& x) const {
-    return running_mean(x, half_window(options_.smoothing, clip_.fps));
+    return detail::running_mean(x, detail::half_window(options_.smoothing, clip_.fps));
   }
   std::vector<S> floor_under(const std::vector<S>& y) const {
-    return running_minimum(y, half_window(options_.floor_window, clip_.fps));
+    return detail::running_minimum(y, detail::half_window(options_.floor_window, clip_.fps));
   }
 
   // The lowest foot joint, and how low it comes nearby.
@@ -174,8 +174,8 @@ class ContactFinder {
 
   // A flight is where no foot stands, both are high and the body is falling; somewhere in it, it falls nearly freely.
   std::vector<Flight> flights(const std::vector<std::uint8_t>& left, const std::vector<std::uint8_t>& right) const {
-    const std::int32_t half = std::max(1, half_window(options_.flight_window, clip_.fps));
-    const std::vector<S> acceleration = parabola_acceleration(mean_height(), half, clip_.fps);
+    const std::int32_t half = std::max(1, detail::half_window(options_.flight_window, clip_.fps));
+    const std::vector<S> acceleration = detail::parabola_acceleration(mean_height(), half, clip_.fps);
     std::vector<std::uint8_t> airborne(left.size(), 0);
     for (std::size_t f = 0; f < airborne.size(); ++f) {
       const bool high = lowest_[f] > floor_[f] + options_.flight_height;

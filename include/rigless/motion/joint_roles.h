@@ -33,12 +33,12 @@ JointRoles find_joint_roles(const Clip<S>& clip) {
   if (clip.frames == 0) return find_joint_roles(clip.skeleton);
   constexpr std::int32_t enough = 32;  // frames
   const std::int32_t step = (clip.frames + enough - 1) / enough;
-  const std::vector<S> yaw = body_yaw(clip);
+  const std::vector<S> yaw = detail::body_yaw(clip);
   std::vector<Vec3<double>> positions;
   for (std::int32_t f = 0; f < clip.frames; f += step) {
     for (std::int32_t j = 0; j < clip.joints(); ++j) {
       const S turn = yaw[static_cast<std::size_t>(f)];
-      positions.push_back(to_body<S>(clip.at(f, j), clip.at(f, 0), turn).template cast<double>());
+      positions.push_back(detail::to_body<S>(clip.at(f, j), clip.at(f, 0), turn).template cast<double>());
     }
   }
   return detail::RoleFinder(clip.skeleton).find(detail::Poses(std::move(positions), clip.skeleton.names.size()));

@@ -39,15 +39,15 @@ struct BvhMotion {
 };
 
 // The header lines, in either order.
-inline Status read_bvh_motion_header(TextScanner& scanner, BvhMotion& motion, ParseNotes& notes) {
+inline Status read_bvh_motion_header(detail::TextScanner& scanner, BvhMotion& motion, ParseNotes& notes) {
   bool timed = false;
   bool counted = false;
   while (!timed || !counted) {
     std::string_view word = scanner.peek();
     if (word.empty()) return scanner.fail(Error::unexpected_end);
     const std::string_view key = word.substr(0, word.find(':'));
-    const bool is_count = same_word(key, "Frames");
-    const bool is_time = same_word(key, "Frame") || same_word(key, "FrameTime");
+    const bool is_count = detail::same_word(key, "Frames");
+    const bool is_time = detail::same_word(key, "Frame") || detail::same_word(key, "FrameTime");
     if (!is_count && !is_time) return scanner.fail(Error::bad_syntax);
     scanner.rest_of_line(':');
     double value = 0;
@@ -67,7 +67,8 @@ inline Status read_bvh_motion_header(TextScanner& scanner, BvhMotion& motion, Pa
   return {};
 }
 
-inline Status read_bvh_values(TextScanner& scanner, std::size_t channels, BvhMotion& motion, ParseNotes& notes) {
+inline Status read_bvh_values(detail::TextScanner& scanner, std::size_t channels, BvhMotion& motion,
+                              ParseNotes& notes) {
   const std::size_t declared = static_cast<std::size_t>(notes.frames_declared);
   const std::size_t wanted = declared * channels;  // 0: all there is
   const std::size_t present = scanner.remaining() / 2 + 1;
@@ -87,12 +88,12 @@ inline Status read_bvh_values(TextScanner& scanner, std::size_t channels, BvhMot
 
 // Do the position channels of joints below the root hold the whole translation (true), or what comes on top of OFFSET?
 // Exporters do either; the sum of squares tells which, because bones hardly change their length.
-inline bool bvh_positions_stand_for_offset(const BvhHierarchy& hierarchy, const BvhMotion& motion) {
+inline bool bvh_positions_stand_for_offset(const detail::BvhHierarchy& hierarchy, const BvhMotion& motion) {
   double from_offset = 0;
   double from_zero = 0;
   const std::size_t stride = static_cast<std::size_t>(hierarchy.channels);
   std::size_t first = 0;
-  for (const BvhNode& node : hierarchy.nodes) {
+  for (const detail::BvhNode& node : hierarchy.nodes) {
     for (std::size_t k = 0; k < node.channels.size() && node.parent >= 0; ++k) {
       if (node.channels[k].rotation) continue;
       const double offset = node.offset[node.channels[k].axis];
@@ -107,18 +108,18 @@ inline bool bvh_positions_stand_for_offset(const BvhHierarchy& hierarchy, const 
 }
 
 // One frame of world positions and rotations.
-inline void pose_bvh(const BvhHierarchy& hierarchy, const double* values, bool stand_for_offset,
+inline void pose_bvh(const detail::BvhHierarchy& hierarchy, const double* values, bool stand_for_offset,
                      std::vector<Vec3<double>>& positions, std::vector<Mat3<double>>& rotations) {
   for (std::size_t j = 0; j < static_cast<std::size_t>(hierarchy.joints); ++j) {
-    const BvhNode& node = hierarchy.nodes[j];
+    const detail::BvhNode& node = hierarchy.nodes[j];
     const bool root = node.parent < 0;
     Vec3<double> translation = node.offset;
     Mat3<double> rotation = root ? Mat3<double>::Identity() : rotations[static_cast<std::size_t>(node.parent)];
     const Mat3<double> frame = rotation;
-    for (const BvhChannel& channel : node.channels) {
+    for (const detail::BvhChannel& channel : node.channels) {
       const double value = *values++;
       if (channel.rotation) {
-        turn_about_axis(channel.axis, value * radians_per_degree, rotation);
+        detail::turn_about_axis(channel.axis, value * detail::radians_per_degree, rotation);
       } else {
         translation[channel.axis] = root || stand_for_offset ? value : node.offset[channel.axis] + value;
       }
@@ -139,12 +140,12 @@ bool all_finite(const Clip<S>& clip) {
 }
 
 // Joint positions without motion from the hips on, in the axes in which a joint above them leaves them in a pose.
-inline std::vector<Vec3<double>> bvh_rest(const BvhHierarchy& hierarchy, const KeptJoints& kept,
+inline std::vector<Vec3<double>> bvh_rest(const detail::BvhHierarchy& hierarchy, const detail::KeptJoints& kept,
                                           const std::vector<Mat3<double>>& rotations) {
   std::vector<Vec3<double>> rest(static_cast<std::size_t>(hierarchy.joints), Vec3<double>::Zero());
   std::vector<Vec3<double>> result;
   for (const std::int32_t j : kept.joints) {
-    const BvhNode& node = hierarchy.nodes[static_cast<std::size_t>(j)];
+    const detail::BvhNode& node = hierarchy.nodes[static_cast<std::size_t>(j)];
     Vec3<double>& at = rest[static_cast<std::size_t>(j)];
     if (!result.empty()) at = rest[static_cast<std::size_t>(node.parent)] + node.offset;
     result.push_back(at);
@@ -158,15 +159,15 @@ inline std::vector<Vec3<double>> bvh_rest(const BvhHierarchy& hierarchy, const K
 
 // The world positions of the joints that the clip keeps; the root's rotation is that of the hips.
 template <class S>
-void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const Skeleton& skeleton, Clip<S>& clip,
-                   ParseNotes& notes) {
+void pose_bvh_clip(const detail::BvhHierarchy& hierarchy, const BvhMotion& motion, const Skeleton& skeleton,
+                   Clip<S>& clip, ParseNotes& notes) {
   const std::size_t joints = skeleton.names.size();
   const bool stand_for_offset = bvh_positions_stand_for_offset(hierarchy, motion);
   std::vector<Vec3<double>> positions(joints);
   std::vector<Mat3<double>> rotations(joints);
   pose_bvh(hierarchy, motion.values.data(), stand_for_offset, positions, rotations);
-  const KeptJoints kept = joints_from_hips(skeleton, positions);
-  clip.skeleton = kept_skeleton(skeleton, kept);
+  const detail::KeptJoints kept = detail::joints_from_hips(skeleton, positions);
+  clip.skeleton = detail::kept_skeleton(skeleton, kept);
   notes.joints_folded = kept.above;
   notes.rest = bvh_rest(hierarchy, kept, rotations);
   clip.positions.reserve(static_cast<std::size_t>(clip.frames) * kept.joints.size());
@@ -181,11 +182,11 @@ void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const
 
 template <class S>
 Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes) {
-  TextScanner scanner(text);
-  BvhHierarchy hierarchy;
+  detail::TextScanner scanner(text);
+  detail::BvhHierarchy hierarchy;
   BvhMotion motion;
   ParseNotes found;
-  if (const Status status = parse_bvh_hierarchy(scanner, hierarchy); !status.ok()) return status;
+  if (const Status status = detail::parse_bvh_hierarchy(scanner, hierarchy); !status.ok()) return status;
   if (const Status status = read_bvh_motion_header(scanner, motion, found); !status.ok()) return status;
   const std::size_t channels = static_cast<std::size_t>(hierarchy.channels);
   if (const Status status = read_bvh_values(scanner, channels, motion, found); !status.ok()) return status;

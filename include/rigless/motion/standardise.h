@@ -26,11 +26,11 @@ template <class S>
 Standardised<S> standardise(Clip<S>& clip, Span<const Vec3<double>> rest) {
   Standardised<S> done;
   done.roles = find_joint_roles(clip);
-  done.up = guess_up_axis(clip, done.roles, rest);
-  if (done.up == UpAxis::z) turn_z_up_to_y_up(clip);
-  done.root_axes_aligned = align_root_axes(clip, done.roles);
-  done.unit = guess_unit(clip, done.roles);
-  scale_clip(clip, done.unit.metres_per_unit);
+  done.up = detail::guess_up_axis(clip, done.roles, rest);
+  if (done.up == UpAxis::z) detail::turn_z_up_to_y_up(clip);
+  done.root_axes_aligned = detail::align_root_axes(clip, done.roles);
+  done.unit = detail::guess_unit(clip, done.roles);
+  detail::scale_clip(clip, done.unit.metres_per_unit);
   return done;
 }
 

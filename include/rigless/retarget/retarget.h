@@ -34,7 +34,7 @@ struct RetargetOptions {
   // The paper's own formulation: each control from its joint alone, the 4 nearest examples, a soft affine row, exact
   // constraints without an offset track.
   static RetargetOptions thesis() {
-    const SpacetimeOptions<S> paper = SpacetimeOptions<S>::thesis();
+    const detail::SpacetimeOptions<S> paper = detail::SpacetimeOptions<S>::thesis();
     RetargetOptions options;
     options.pose_weight = 0;
     options.weights = paper.weights;
@@ -58,7 +58,7 @@ struct RetargetInput {
 //
 // begin(), then advance() until it returns false, then finish(). Computes in double whatever S is: the normal equations
 // square the condition number, and the time goes into memory and small matrices anyway.
-template <class S, class Solver = SpacetimeSolver<double>>
+template <class S, class Solver = detail::SpacetimeSolver<double>>
 class Retargeter {
  public:
   Retargeter() = default;
@@ -80,17 +80,17 @@ class Retargeter {
 
     const std::vector<Vec3<double>> clip = widen(input.joints), example_controls = widen(input.examples.controls);
     std::vector<Vec3<double>> example_joints = widen(input.examples.joints);
-    const std::vector<std::int32_t> paired = paired_joints(input.pairs, input.joint_count);
-    fill_unknown_joints<double>(clip, paired, input.joint_count, example_joints);
+    const std::vector<std::int32_t> paired = detail::paired_joints(input.pairs, input.joint_count);
+    detail::fill_unknown_joints<double>(clip, paired, input.joint_count, example_joints);
 
     Inputs next;
-    next.space = ControlSpace<double>::of(example_controls, controls);
-    PoseFeatures<double> poses;
+    next.space = detail::ControlSpace<double>::of(example_controls, controls);
+    detail::PoseFeatures<double> poses;
     poses.bind(clip, example_joints, input.joint_count, paired);
     next.clip.resize(controls);
     next.examples.resize(controls);
     next.controls.resize(controls);
-    std::vector<TrackInput<double>> tracks;
+    std::vector<detail::TrackInput<double>> tracks;
     for (std::size_t c = 0; c < controls; ++c) {
       poses.features(input.pairs[c], static_cast<double>(options.pose_weight), next.clip[c], next.examples[c]);
       keep_known(example_controls, c, next);
@@ -134,7 +134,7 @@ class Retargeter {
  private:
   // The solver looks at these arrays until it is done; moving the vectors does not move what they hold.
   struct Inputs {
-    ControlSpace<double> space;
+    detail::ControlSpace<double> space;
     std::vector<std::vector<double>> clip, examples;  // C x (T x D), C x (N x D)
     std::vector<std::vector<Vec3<double>>> controls;  // C x N
   };
@@ -181,9 +181,9 @@ class Retargeter {
     return {};
   }
 
-  static SpacetimeOptions<double> solver_options(const RetargetOptions<S>& options) {
+  static detail::SpacetimeOptions<double> solver_options(const RetargetOptions<S>& options) {
     const double rate = static_cast<double>(options.fps) / 30;
-    SpacetimeOptions<double> out;
+    detail::SpacetimeOptions<double> out;
     out.weights.locality = static_cast<double>(options.weights.locality);
     out.weights.sharing = static_cast<double>(options.weights.sharing);
     out.weights.soft_affine = static_cast<double>(options.weights.soft_affine);
@@ -197,7 +197,7 @@ class Retargeter {
   }
 
   // Constraints that name a control which does not exist pass through: the solver reports them.
-  static Constraints<double> normalised(const Constraints<S>& in, const ControlSpace<double>& space) {
+  static Constraints<double> normalised(const Constraints<S>& in, const detail::ControlSpace<double>& space) {
     const auto centre = [&](std::int32_t control) {
       const bool exists = control >= 0 && to_size(control) < space.centre.size();
       return exists ? nth(space.centre, control) : Vec3<double>::Zero().eval();
@@ -223,7 +223,7 @@ class Retargeter {
 
 // The same under bounds of the weights, which solver().set_bounds() sets before begin().
 template <class S>
-using BoundedRetargeter = Retargeter<S, BoundedSpacetimeSolver<double>>;
+using BoundedRetargeter = Retargeter<S, detail::BoundedSpacetimeSolver<double>>;
 
 // The whole of it in one call; see Retargeter. Allocates.
 template <class S>

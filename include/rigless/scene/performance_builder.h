@@ -49,12 +49,13 @@ class PerformanceBuilder {
     ExampleStorage<S> examples;
     examples.joints.assign(input.examples.joints.begin(), input.examples.joints.end());
     examples.controls.assign(input.examples.controls.begin(), input.examples.controls.end());
-    const std::vector<std::int32_t> paired = paired_joints(input.pairs, joints);
-    fill_unknown_joints<S>(motion.local, paired, joints, examples.joints);
+    const std::vector<std::int32_t> paired = detail::paired_joints(input.pairs, joints);
+    detail::fill_unknown_joints<S>(motion.local, paired, joints, examples.joints);
     std::vector<std::int32_t> joint_mirror;
     if (!input.mirror.empty()) {
-      joint_mirror = mirror_joints(motion.clip.skeleton, motion.roles);
-      add_mirror_images<S>({joint_mirror, input.mirror, input.mirror_normal.normalized()}, input.rest, examples);
+      joint_mirror = detail::mirror_joints(motion.clip.skeleton, motion.roles);
+      detail::add_mirror_images<S>({joint_mirror, input.mirror, input.mirror_normal.normalized()}, input.rest,
+                                   examples);
     }
     const std::size_t taught = examples.joints.size();
     motion_ = &motion;
@@ -62,8 +63,8 @@ class PerformanceBuilder {
     ground_.begin(motion, input.pairs, input.rest, input.floor, input.height, input.contacts, input.flights);
     const std::vector<std::uint8_t> stands = ground_.labels();
     const Status started =
-        add_starters<S>(motion.local, joints, input.pairs, {input.rest, input.floor, input.height, stands},
-                        static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
+        detail::add_starters<S>(motion.local, joints, input.pairs, {input.rest, input.floor, input.height, stands},
+                                static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
     if (!started.ok()) return started;
 
     RetargetInput<S> retarget;
@@ -78,7 +79,7 @@ class PerformanceBuilder {
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
     settings_ = input.settings;
     constraints_ = input.constraints;
-    ground_.travel_scale = input.height / std::max(figure_height<S>(motion.local, joints), S(1e-6));
+    ground_.travel_scale = input.height / std::max(detail::figure_height<S>(motion.local, joints), S(1e-6));
     starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / to_size(joints));
     coverage_.begin(motion.local, joints, paired, {examples.joints.data(), taught}, joint_mirror, {});
     return {};
@@ -150,11 +151,11 @@ class PerformanceBuilder {
   }
 
   Retargeter<S> retargeter_;
-  PoseCoverage coverage_;
+  detail::PoseCoverage coverage_;
   const StagedMotion<S>* motion_ = nullptr;
   PerformanceSettings<S> settings_;
   Constraints<S> constraints_;
-  Ground<S> ground_;
+  detail::Ground<S> ground_;
   std::int32_t starters_ = 0;
   std::size_t controls_ = 0;
 };

@@ -34,12 +34,13 @@ Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion
     }
   }
   StagedMotion<S> staged;
-  if (const Status status = resample(source, static_cast<S>(performance_fps), staged.clip); !status.ok()) return status;
+  if (const Status status = detail::resample(source, static_cast<S>(performance_fps), staged.clip); !status.ok())
+    return status;
   Vec3<S> origin = staged.clip.at(0, 0);
   for (const Vec3<S>& p : staged.clip.positions) origin.y() = std::min(origin.y(), p.y());
   for (Vec3<S>& p : staged.clip.positions) p -= origin;
-  staged.yaw = body_yaw(staged.clip);
-  staged.local = body_local_positions<S>(staged.clip, staged.yaw);
+  staged.yaw = detail::body_yaw(staged.clip);
+  staged.local = detail::body_local_positions<S>(staged.clip, staged.yaw);
   staged.roles = roles;
   const Contacts contacts = find_contacts(source, roles);
   const auto fps = static_cast<S>(performance_fps);

@@ -54,8 +54,8 @@ Status root_from_anchor(Span<const Vec3<S>> tracks, std::int32_t control_count, 
     Vec3<S> velocity = Vec3<S>::Zero();
     if (back > 0) velocity = (middle(f) - middle(f - back)) / static_cast<S>(back);
     anchor = lowest(landing, 0);
-    flight_heights(root[f].y(), -tracks[landing * controls + anchor].y(), flight->landing - flight->take_off, gravity,
-                   heights);
+    detail::flight_heights(root[f].y(), -tracks[landing * controls + anchor].y(), flight->landing - flight->take_off,
+                           gravity, heights);
     for (std::size_t g = f + 1; g <= landing; ++g) {
       root[g] = root[g - 1] + velocity;
       root[g].y() = heights[g - f];

@@ -12,7 +12,7 @@ namespace rigless {
 template <class S>
 Mat3<S> covariance(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i) {
   Mat3<S> C = Mat3<S>::Zero();
-  for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+  detail::for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
     C.noalias() += (w * e) * (surface[i] - surface[j]).transpose();
   });
   return C;
@@ -26,9 +26,10 @@ struct CellFit {
 };
 
 template <class S>
-CellFit<S> fit_cell(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i, const ElasticScale<S>& elastic) {
+CellFit<S> fit_cell(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i,
+                    const detail::ElasticScale<S>& elastic) {
   const Mat3<S> C = covariance(cells, surface, i);
-  CellFit<S> fit{nearest_rotation(C), S(1)};
+  CellFit<S> fit{detail::nearest_rotation(C), S(1)};
   if (cells.weighted_size[i] > S(0)) {
     fit.s = elastic((fit.R.cwiseProduct(C.transpose())).sum() / cells.weighted_size[i]);  // tr(R C) = e'.e^r
   }
@@ -38,11 +39,11 @@ CellFit<S> fit_cell(const Cells<S>& cells, Span<const Vec3<S>> surface, std::siz
 // Shape energy of the surface with R and s refitted: every edge counts from both its ends.
 // Source: thesis Eq 3.2, plus the elastic term.
 template <class S>
-S shape_energy(const Cells<S>& cells, Span<const Vec3<S>> surface, const ElasticScale<S>& elastic) {
+S shape_energy(const Cells<S>& cells, Span<const Vec3<S>> surface, const detail::ElasticScale<S>& elastic) {
   S energy = S(0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const CellFit<S> fit = fit_cell(cells, surface, i, elastic);
-    for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+    detail::for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
       energy += w * ((surface[i] - surface[j]) - fit.s * (fit.R * e)).squaredNorm();
     });
     if (std::isfinite(elastic.mu)) energy += elastic.mu * cells.weighted_size[i] * (fit.s - S(1)) * (fit.s - S(1));

@@ -32,10 +32,10 @@ class LaplacianEditor {
  private:
   typename Constraint::Equations equations_;
   typename Constraint::Hold hold_ = Constraint{}.hold();
-  SparseLdlt<S> ldlt_;
+  detail::SparseLdlt<S> ldlt_;
   std::vector<std::int32_t> controls_;  // C
   std::vector<Vec3<S>> delta_;          // V
-  std::vector<Rhs4<S>> x_;              // V
+  std::vector<detail::Rhs4<S>> x_;      // V
 };
 
 namespace detail {

@@ -10,7 +10,19 @@
 namespace rigless {
 
 template <class S>
-using SparseMatrix = typename SparseLdlt<S>::Matrix;
+using SparseMatrix = typename detail::SparseLdlt<S>::Matrix;
+
+// w_ij = 1 / |N(i)|: not symmetric; only for Eq 2.1. Allocates the result.
+template <class S>
+std::vector<S> normalized_uniform_weights(const OneRing& ring) {
+  std::vector<S> w(to_size(ring.edges()));
+  for (std::size_t i = 0; i + 1 < ring.first.size(); ++i) {
+    for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
+      nth(w, k) = S(1) / static_cast<S>(ring.first[i + 1] - ring.first[i]);
+    }
+  }
+  return w;
+}
 
 // L, V x V: (L V)_i = sum_j w_ij (v_i - v_j). `weight` per directed edge of the ring, > 0. Allocates.
 // Source: thesis Eq 2.1-2.2; weights 1 / |N(i)| give Eq 2.3.
@@ -79,7 +91,7 @@ class SquareEquations {
   }
 
   // P delta. No allocation.
-  void right_side(Span<const Vec3<S>> delta, Span<Rhs4<S>> out) const {
+  void right_side(Span<const Vec3<S>> delta, Span<detail::Rhs4<S>> out) const {
     for (std::size_t i = 0; i < out.size(); ++i) {
       out[i] << factor_[i] * delta[i].array(), S(0);
     }
@@ -103,7 +115,7 @@ class LeastSquaresEquations {
   }
 
   // P delta. No allocation.
-  void right_side(Span<const Vec3<S>> delta, Span<Rhs4<S>> out) const {
+  void right_side(Span<const Vec3<S>> delta, Span<detail::Rhs4<S>> out) const {
     for (std::int32_t column = 0; column < L_.cols(); ++column) {
       Vec3<S> sum = Vec3<S>::Zero();
       for (typename SparseMatrix<S>::InnerIterator it(L_, column); it; ++it) {

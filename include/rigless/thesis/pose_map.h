@@ -35,9 +35,9 @@ std::vector<S> linear_weights(Span<const Vec3<S>> joints, const Vec3<S>& j) {
   for (const Vec3<S>& p : joints) gram += p * p.transpose();
   gram.diagonal().array() += S(1e-12) * gram.trace() + std::numeric_limits<S>::min();
   Vec3<S> x = j;
-  cholesky_in_place(gram);
-  solve_lower(gram, x);
-  solve_lower_transposed(gram, x);
+  detail::cholesky_in_place(gram);
+  detail::solve_lower(gram, x);
+  detail::solve_lower_transposed(gram, x);
   std::vector<S> weights;
   for (const Vec3<S>& p : joints) weights.push_back(p.dot(x));
   return weights;
@@ -83,8 +83,8 @@ std::vector<S> affine_weights(Span<const Vec3<S>> joints, const Vec3<S>& j, S lo
       system(size, size) = 1;
       right[size] = 0;
     }
-    lu_in_place(system, exchange.data());
-    solve_lu(system, exchange.data(), right);
+    detail::lu_in_place(system, exchange.data());
+    detail::solve_lu(system, exchange.data(), right);
 
     S step = 1;
     std::size_t first = n;

@@ -25,7 +25,7 @@ class SoftHold {
   }
 
   // No allocation.
-  void right_side(Span<const std::int32_t> controls, Span<const Vec3<S>> targets, Span<Rhs4<S>> b) const {
+  void right_side(Span<const std::int32_t> controls, Span<const Vec3<S>> targets, Span<detail::Rhs4<S>> b) const {
     for (std::size_t c = 0; c < controls.size(); ++c) {
       nth(b, controls[c]).template head<3>() += gain_[c] * targets[c].array();
     }
@@ -59,7 +59,7 @@ class HardHold {
   }
 
   // No allocation.
-  void right_side(Span<const std::int32_t> controls, Span<const Vec3<S>> targets, Span<Rhs4<S>> b) const {
+  void right_side(Span<const std::int32_t> controls, Span<const Vec3<S>> targets, Span<detail::Rhs4<S>> b) const {
     for (std::size_t c = 0; c < controls.size(); ++c) {
       for (typename SparseMatrix<S>::InnerIterator it(M_, controls[c]); it; ++it) {
         nth(b, it.row()).template head<3>() -= it.value() * targets[c].array();

@@ -27,15 +27,15 @@ template <class S, class Law>
 Mat3<S> volume_transform(const Cells<S>& cells, Span<const Vec3<S>> surface, std::size_t i, const Mat3<S>& R,
                          const Law& law) {
   Mat3<S> D = Mat3<S>::Zero();
-  for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+  detail::for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
     const Vec3<S> d = (surface[i] - surface[j]) - R * e;
     D.noalias() += (w * d) * d.transpose();
   });
-  const Svd3<S> axes = svd3(D);
+  const detail::Svd3<S> axes = detail::svd3(D);
   if (axes.sigma[0] < S(1e-12) * cells.weighted_size[i]) return Mat3<S>::Identity();
   const Vec3<S> p = axes.V.col(0);
   S above = S(0), below = S(0);
-  for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+  detail::for_each_edge(cells, i, [&](S w, const Vec3<S>& e, std::size_t j) {
     const S rotated = p.dot(R * e);
     above += w * p.dot(surface[i] - surface[j]) * rotated;
     below += w * rotated * rotated;
@@ -53,7 +53,7 @@ class ThesisDeformer {
   // Binds as LaplacianEditor does, with symmetric weights; targets and shape start at rest. Elastic 0 is the thesis,
   // infinity as-rigid-as-possible. Allocates. On failure the old binding stays. Errors: those of LaplacianEditor::bind.
   Status bind(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight, Span<const std::int32_t> controls,
-              const Constraint& constraint = {}, const ElasticScale<S>& elastic = {S(0)});
+              const Constraint& constraint = {}, const detail::ElasticScale<S>& elastic = {S(0)});
 
   // C target positions of the controls. No allocation.
   void set_targets(Span<const Vec3<S>> targets);
@@ -84,7 +84,7 @@ class ThesisDeformer {
   void solve(Span<Vec3<S>> out);
 
   Cells<S> cells_;
-  ElasticScale<S> elastic_;
+  detail::ElasticScale<S> elastic_;
   LaplacianEditor<S, Constraint> editor_;
   std::vector<Vec3<S>> targets_;    // C
   std::vector<CellFit<S>> fits_;    // V
@@ -97,12 +97,12 @@ class ThesisDeformer {
 template <class S, class Constraint>
 Status ThesisDeformer<S, Constraint>::bind(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
                                            Span<const std::int32_t> controls, const Constraint& constraint,
-                                           const ElasticScale<S>& elastic) {
+                                           const detail::ElasticScale<S>& elastic) {
   if (const Status s = editor_.bind(rest, ring, weight, controls, constraint); !s.ok()) return s;
   cells_.ring = ring;
   cells_.weight.assign(weight.begin(), weight.end());
   cells_.rest.assign(rest.begin(), rest.end());
-  measure_cells(cells_);
+  detail::measure_cells(cells_);
   elastic_ = elastic;
   targets_.clear();
   for (const std::int32_t v : controls) targets_.push_back(nth(rest, v));
@@ -141,7 +141,7 @@ template <class S, class Constraint>
 template <class Law>
 void ThesisDeformer<S, Constraint>::pose(const Law& law) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const Mat3<S> R = nearest_rotation(covariance<S>(cells_, shape_, i));
+    const Mat3<S> R = detail::nearest_rotation(covariance<S>(cells_, shape_, i));
     transform_[i] = volume_transform<S>(cells_, shape_, i, R, law) * R;
   }
   solve(positions_);
@@ -152,7 +152,7 @@ template <class S, class Constraint>
 void ThesisDeformer<S, Constraint>::solve(Span<Vec3<S>> out) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     delta_[i].setZero();
-    for_each_edge(cells_, i, [&](S w, const Vec3<S>& e, std::size_t j) {
+    detail::for_each_edge(cells_, i, [&](S w, const Vec3<S>& e, std::size_t j) {
       delta_[i] += (w / S(2)) * ((transform_[i] + transform_[j]) * e);
     });
   }

@@ -1,7 +1,6 @@
 // What the app needs of the place it runs in: a page, or a test in Node.
 
 import type { Engine } from "../engine/types";
-import type { Picture } from "../gltf/document";
 import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
 
@@ -67,7 +66,6 @@ export interface Ports {
     files: readonly NamedFile[],
     options?: { signal?: AbortSignal; onProgress?: (done: number) => void },
   ) => Promise<Model>;
-  readonly decodePicture: (picture: Picture) => Promise<ImageBitmap>;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;
 }

@@ -131,6 +131,8 @@ export interface Gltf extends Known {
 export interface Picture {
   readonly bytes: Uint8Array;
   readonly mime: string;
+  /** Of a kind and a size that the page shows. */
+  readonly drawn: boolean;
 }
 
 export interface GltfDocument {

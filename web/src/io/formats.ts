@@ -116,7 +116,7 @@ const MOTIONS: readonly MotionFormat[] = [
     extensions: ["bvh"],
     mediaType: "text/plain",
     is: ({ text }) => /^\s*HIERARCHY\b/i.test(text),
-    read: ({ name, text }) => ({ format: "bvh", name, text }),
+    read: ({ name, text }) => ({ name, text }),
   },
   {
     id: "amc",
@@ -126,7 +126,7 @@ const MOTIONS: readonly MotionFormat[] = [
     mediaType: "text/plain",
     is: ({ text }) => /^[ \t]*:(fully-specified|degrees|radians)\b/im.test(text),
     skeleton: "asf",
-    read: ({ name, text }, skeleton) => ({ format: "acclaim", skeletonName: skeleton.name, skeleton: skeleton.text, name, text }),
+    read: ({ name, text }, skeleton) => ({ name, text, skeleton: { name: skeleton.name, text: skeleton.text } }),
   },
 ];
 

@@ -4,7 +4,7 @@ import type { GltfSampler, GltfTextureInfo } from "../gltf/document";
 import type { BuiltPicture } from "./gltf/build";
 import { wordList } from "./format";
 import { baseName, decodeUri, findFile, type NamedFile } from "./named-file";
-import { checkedPicture } from "./picture";
+import { takePicture } from "./take-picture";
 
 type Frame = { readonly offset: readonly number[]; readonly scale: readonly number[]; readonly rotation?: number };
 
@@ -51,7 +51,7 @@ export class PictureShelf {
     const key = JSON.stringify([address, sampler]);
     let index = this.known.get(key);
     if (index === undefined) {
-      const picture = bytes && checkedPicture(name, bytes, this.notes);
+      const picture = bytes && takePicture(name, bytes, undefined, this.notes);
       index = this.pictures.push({ name, picture, ...(sampler && { sampler }) }) - 1;
       this.known.set(key, index);
     }

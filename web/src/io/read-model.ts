@@ -1,11 +1,10 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
 import { modelFormat } from "./formats";
-import type { Built } from "./gltf/build";
-import { buildModel, type Model } from "./model";
+import { type Model, modelOf } from "./model";
 import { baseName, ModelError, type NamedFile } from "./named-file";
+import { READERS } from "./readers";
 import { noModel } from "./refused";
-import { READERS, type Surface } from "./readers";
 
 export type { Model } from "./model";
 
@@ -30,12 +29,9 @@ export async function readModel(files: readonly NamedFile[], { onProgress }: Rea
   if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);
   try {
     const notes: string[] = [];
-    const { parts, texture } = surfaceOf(
-      await READERS[format.id]({ name, file, files, notes, onProgress: (done) => onProgress?.(READING * done) }),
-      notes,
-    );
+    const document = await READERS[format.id]({ name, file, files, notes, onProgress: (done) => onProgress?.(READING * done) });
     onProgress?.(READING);
-    return buildModel(name, parts, texture, notes);
+    return modelOf(name, document, notes);
   } catch (error) {
     if (error instanceof ModelError) throw error;
     const why = error instanceof Error ? error.message : String(error);
@@ -49,24 +45,4 @@ function firstModel(files: readonly NamedFile[]): [NamedFile, NonNullable<Return
     if (format) return [file, format];
   }
   return [];
-}
-
-function surfaceOf(read: Surface | Built, notes: string[]): Surface {
-  if ("texture" in read) return read;
-  const pbrOf = (material = -1) => read.materials?.[material]?.pbrMetallicRoughness;
-  const parts = read.parts.map(({ positions, index, colors, uvs, material }) => {
-    const n = positions.length / 3;
-    const factor = pbrOf(material)?.baseColorFactor;
-    const width = colors ? colors.length / n : 0;
-    const rgb = (i: number): number => (colors ? colors[width * Math.floor(i / 3) + (i % 3)] : 1) * (factor?.[i % 3] ?? 1);
-    return {
-      positions,
-      index,
-      colors: colors || factor ? Float32Array.from({ length: 3 * n }, (_, i) => rgb(i)) : null,
-      uvs: uvs?.[0] ?? null,
-    };
-  });
-  const used = [...new Set(read.parts.flatMap(({ material }) => pbrOf(material)?.baseColorTexture?.index ?? []))];
-  if (used.length > 1) notes.push(`This model has ${used.length} pictures; we show its plain colours.`);
-  return { parts, texture: used.length === 1 ? (read.pictures?.[used[0]].picture ?? null) : null };
 }

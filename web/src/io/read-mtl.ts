@@ -58,6 +58,7 @@ function materialOf(name: string, statements: readonly Statement[], shelf: Pictu
     ...(emissiveMap && { emissiveTexture: emissiveMap, emissiveFactor: [1, 1, 1] }),
     ...(!emissiveMap && emitted.length === 3 && emitted.some((c) => c > 0) && { emissiveFactor: emitted }),
     ...(cutOut && { alphaMode: cutOut }),
+    doubleSided: true, // nobody knows how the faces are wound
     ...(specularMap && { extensions: { KHR_materials_specular: { specularColorTexture: specularMap } } }),
   };
 }

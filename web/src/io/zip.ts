@@ -14,7 +14,10 @@ export function isZip(file: NamedFile): boolean {
   return formatOf(file)?.kind === "archive";
 }
 
-/** `wanted`: by default all. Errors (DocumentError): broken; too large unpacked; a path that leads out. Folders and what systems leave behind are passed over. */
+/**
+ * `wanted`: by default all. Folders and what systems leave behind are passed over. Errors (DocumentError): broken; too large
+ * unpacked; a path that leads out.
+ */
 export function unzip(file: NamedFile, wanted: (path: string) => boolean = () => true): NamedFile[] {
   const name = baseName(file.name);
   let bytes = 0;

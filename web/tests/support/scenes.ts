@@ -145,6 +145,7 @@ export function zipped(name: string, files: Readonly<Record<string, string | Uin
   return { name, bytes: zipSync(Object.fromEntries(entries) as Record<string, Uint8Array>, { level: name.endsWith(".usdz") ? 0 : 6 }) };
 }
 
+const MODEL = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 const CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 const PRODUCTION = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 const MATERIAL = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
@@ -168,14 +169,15 @@ export function threeMf(
 ): NamedFile {
   return zipped("t.3mf", {
     "[Content_Types].xml": "<Types/>",
-    "_rels/.rels": `<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>`,
+    "_rels/.rels": `<Relationships><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="${MODEL}"/></Relationships>`,
     ...more,
     "3D/3dmodel.model": model3mf(resources, build, unit),
   });
 }
 
 export function model3mf(resources: string, build: string, unit = "millimeter"): string {
-  return `<?xml version="1.0" encoding="UTF-8"?><model unit="${unit}" xmlns="${CORE}" xmlns:p="${PRODUCTION}" xmlns:m="${MATERIAL}"><resources>${resources}</resources><build>${build}</build></model>`;
+  return `<?xml version="1.0" encoding="UTF-8"?><model unit="${unit}" xmlns="${CORE}" xmlns:p="${PRODUCTION}" xmlns:m="${MATERIAL}">
+<resources>${resources}</resources><build>${build}</build></model>`;
 }
 
 /** A COLLADA file; `primitives` stand in its one mesh. */
@@ -183,8 +185,11 @@ export function dae({ asset = "", primitives = TRIANGLES, libraries = "", nodes 
   return `<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>${asset}</asset>${libraries}
 <library_geometries><geometry id="g"><mesh>
-<source id="p"><float_array id="pa" count="12">${CORNERS.join(" ")}</float_array><technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<source id="t"><float_array id="ta" count="8">0 0 1 0 0 .25 1 1</float_array><technique_common><accessor source="#ta" count="4" stride="2"><param name="S" type="float"/><param name="T" type="float"/></accessor></technique_common></source>
+<source id="p"><float_array id="pa" count="12">${CORNERS.join(" ")}</float_array>
+<technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<source id="t"><float_array id="ta" count="8">0 0 1 0 0 .25 1 1</float_array>
+<technique_common><accessor source="#ta" count="4" stride="2"><param name="S" type="float"/><param name="T" type="float"/></accessor></technique_common></source>
 <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
 ${primitives}</mesh></geometry></library_geometries>
 <library_visual_scenes><visual_scene id="s">${nodes}</visual_scene></library_visual_scenes>
@@ -200,7 +205,8 @@ interface DaeOptions {
 
 const INPUTS = `<input semantic="VERTEX" source="#v" offset="0"/><input semantic="TEXCOORD" source="#t" offset="1" set="0"/>`;
 const TRIANGLES = `<triangles count="4" material="m">${INPUTS}<p>0 0 2 2 1 1 0 0 1 1 3 3 0 0 3 3 2 2 1 1 2 2 3 3</p></triangles>`;
-export const INSTANCE = `<node id="n" name="Body"><instance_geometry url="#g"><bind_material><technique_common><instance_material symbol="m" target="#mat"/></technique_common></bind_material></instance_geometry></node>`;
+export const INSTANCE = `<node id="n" name="Body"><instance_geometry url="#g"><bind_material><technique_common>
+<instance_material symbol="m" target="#mat"/></technique_common></bind_material></instance_geometry></node>`;
 export const strips = (p: string): string => `<tristrips count="1" material="m">${INPUTS}<p>${p}</p></tristrips>`;
 export const polygons = (vcount: string, p: string): string =>
   `<polylist count="1" material="m">${INPUTS}<vcount>${vcount}</vcount><p>${p}</p></polylist>`;
@@ -210,7 +216,8 @@ export const painted = (picture: string): string =>
   `<library_images><image id="i"><init_from>${picture}</init_from></image></library_images>
 <library_materials><material id="mat" name="Fur"><instance_effect url="#e"/></material></library_materials>
 <library_effects><effect id="e"><profile_COMMON><newparam sid="sf"><surface type="2D"><init_from>i</init_from></surface></newparam>
-<newparam sid="sm"><sampler2D><source>sf</source></sampler2D></newparam><technique sid="c"><lambert><diffuse><texture texture="sm" texcoord="UV"/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>`;
+<newparam sid="sm"><sampler2D><source>sf</source></sampler2D></newparam>
+<technique sid="c"><lambert><diffuse><texture texture="sm" texcoord="UV"/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>`;
 
 /** A USD scene as text: a tetrahedron with a picture. */
 export const usda = (header = 'upAxis = "Y"', points = "[(0,0,0),(1,0,0),(0,1,0),(0,0,1)]", counts = "[3,3,3,3]"): string => `#usda 1.0

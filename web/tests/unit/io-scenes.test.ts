@@ -252,7 +252,8 @@ describe("3MF", () => {
     expect(Array.from(red.parts[0].colors ?? []).slice(0, 3)).toEqual([1, 0, 0]);
     const texture =
       '<m:texture2d id="5" path="/3D/Textures/fur.png" contenttype="image/png"/>' +
-      '<m:texture2dgroup id="6" texid="5"><m:tex2coord u="0" v="0"/><m:tex2coord u="1" v="0"/><m:tex2coord u="0" v="1"/></m:texture2dgroup>';
+      '<m:texture2dgroup id="6" texid="5"><m:tex2coord u="0" v="0"/><m:tex2coord u="1" v="0"/>' +
+      '<m:tex2coord u="0" v="1"/></m:texture2dgroup>';
     const rels = '<Relationships><Relationship Target="/3D/Textures/fur.png" Id="r" Type="texture"/></Relationships>';
     const mapped = threeMf(texture + object("1", tetra3mf(10, 'pid="6" p1="0" p2="1" p3="2"')), '<item objectid="1"/>', {
       "3D/Textures/fur.png": PNG,

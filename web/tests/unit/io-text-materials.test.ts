@@ -36,7 +36,8 @@ it("faces of one object and one material are one part, with the object's name", 
 it("what an MTL says becomes what glTF says", () => {
   const built = obj(
     "usemtl skin\nf 1/1 2/2 3/3\n",
-    "newmtl skin\nKd .1 .1 .1\nKe 0 1 0\nNs 250\nmap_Kd -s 2 4 1 -o .5 0 skin color.png\nmap_Bump -bm 1 skin_normal.png\nmap_Ks -clamp on gloss.png\n",
+    "newmtl skin\nKd .1 .1 .1\nKe 0 1 0\nNs 250\nmap_Kd -s 2 4 1 -o .5 0 skin color.png\n" +
+      "map_Bump -bm 1 skin_normal.png\nmap_Ks -clamp on gloss.png\n",
     png("m/skin color.png"),
     png("elsewhere/skin_normal.png"),
   );
@@ -48,6 +49,7 @@ it("what an MTL says becomes what glTF says", () => {
         metallicFactor: 0,
         roughnessFactor: 0.5,
       },
+      doubleSided: true,
       normalTexture: { index: 1 },
       emissiveFactor: [0, 1, 0],
       extensions: { KHR_materials_specular: { specularColorTexture: { index: 0 } } },
@@ -80,11 +82,9 @@ it("OFF: a face may go on in the next line", () => {
   expect(parts[0].index).toEqual([0, 1, 2, 0, 2, 3, 0, 1, 2]);
 });
 
+const XYZ = "property float x\nproperty float y\nproperty float z\n";
 const ply = (elements: string, rows: string, comment = ""): NamedFile =>
-  textFile(
-    "a.ply",
-    `ply\nformat ascii 1.0\n${comment}element vertex 4\nproperty float x\nproperty float y\nproperty float z\n${elements}end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n${rows}`,
-  );
+  textFile("a.ply", `ply\nformat ascii 1.0\n${comment}element vertex 4\n${XYZ}${elements}end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n${rows}`);
 
 it("PLY: strips, each third triangle turned, -1 begins another", () => {
   const file = ply("element tristrips 1\nproperty list int int vertex_indices\n", "8 0 1 2 3 -1 3 2 1\n");
@@ -106,10 +106,7 @@ it("PLY: corners with places of their own in the picture that a comment names", 
 });
 
 it("PLY: splats and points say what they are", () => {
-  const splat = textFile(
-    "a.ply",
-    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float f_dc_0\nend_header\n0 0 0 1\n",
-  );
+  const splat = textFile("a.ply", `ply\nformat ascii 1.0\nelement vertex 1\n${XYZ}property float f_dc_0\nend_header\n0 0 0 1\n`);
   expect(() => readPly("a.ply", splat, [splat], [])).toThrow("a.ply is a cloud of Gaussian splats without a surface.");
   const points = ply("", "");
   expect(() => readPly("a.ply", points, [points], [])).toThrow("a.ply has no triangles: it holds 4 points alone. Make a mesh of them");

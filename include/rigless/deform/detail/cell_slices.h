@@ -6,7 +6,7 @@
 #include "rigless/math/detail/bytes.h"
 #include "rigless/math/detail/rotation_lanes.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // A slice is `width` cells; slot k of a slice holds edge k of each. Inside windows of 512 cells the ones with equally
 // many neighbours share slices, so that few slots are padding. Padding edges have weight 0 and point at their own cell;
@@ -55,7 +55,7 @@ struct CellSlices {
 
   void set_rotations(const Mat3<S>& R) {
     for (Cell& c : cell) {
-      for (int k = 0; k < width; ++k) detail::set_rotation(R, k, c.q);
+      for (int k = 0; k < width; ++k) set_rotation(R, k, c.q);
     }
   }
 
@@ -132,4 +132,4 @@ RIGLESS_COLD CellSlices<S> slice_cells(const Cells<S>& cells, const std::vector<
   return out;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -5,9 +5,7 @@
 
 #include "rigless/deform/detail/cell_slices.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 template <class S>
 struct PointLanes {
@@ -111,6 +109,4 @@ RIGLESS_INNER void for_each_slice(CellSlices<S>& slices, const simd::Quad<S>* x,
   }
 }
 
-}  // namespace detail
-
-}  // namespace rigless
+}  // namespace rigless::detail

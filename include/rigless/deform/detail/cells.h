@@ -5,7 +5,7 @@
 
 namespace rigless {
 
-// Edge i -> j at rest is e_ij = rest_i - rest_j.
+// Edge i -> j at rest is e_ij = rest_i - rest_j. Public through Deformer::cells().
 template <class S>
 struct Cells {
   OneRing ring;
@@ -15,6 +15,10 @@ struct Cells {
 
   std::size_t size() const { return rest.size(); }
 };
+
+}  // namespace rigless
+
+namespace rigless::detail {
 
 // Calls f(w_ij, e_ij, j) for every neighbour j of i.
 template <class S, class F>
@@ -46,4 +50,4 @@ struct ElasticScale {
   S operator()(S ratio) const { return S(1) + (ratio - S(1)) / (S(1) + mu); }
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -5,7 +5,7 @@
 #include "rigless/math/detail/bytes.h"
 #include "rigless/math/detail/supernodal_ldlt.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // A held vertex keeps a unit diagonal and no coupling, so that the pattern, and with it the elimination order, never
 // changes; when other vertices are held, only what lies above them is factored again. Source: thesis Eq 2.8, 3.16.
@@ -23,7 +23,7 @@ class HardRows {
 
   // Holds the vertices of `to` where those of `from` were held. On failure `from` is held again.
   // Errors: factorization_failed.
-  Status hold(const Cells<S>& cells, const Discs& from, const Discs& to) {
+  Status hold(const Cells<S>& cells, const Discs<S>& from, const Discs<S>& to) {
     refill(cells, from, to);
     const Status status =
         factored_ ? ldlt_.refactorize(diagonal_, coupling_, changed_) : ldlt_.factorize(diagonal_, coupling_);
@@ -46,7 +46,7 @@ class HardRows {
 
  private:
   // Rewrites the rows of vertices that became held or free, and of their neighbours.
-  void refill(const Cells<S>& cells, const Discs& from, const Discs& to) {
+  void refill(const Cells<S>& cells, const Discs<S>& from, const Discs<S>& to) {
     changed_.clear();
     for (std::size_t v = 0; v < cells.size(); ++v) {
       if (!factored_) fill(cells, v, to);
@@ -59,7 +59,7 @@ class HardRows {
     }
   }
 
-  void fill(const Cells<S>& cells, std::size_t i, const Discs& discs) {
+  void fill(const Cells<S>& cells, std::size_t i, const Discs<S>& discs) {
     S diagonal = S(0);
     for (auto k = to_size(cells.ring.first[i]); k < to_size(cells.ring.first[i + 1]); ++k) {
       diagonal += cells.weight[k];
@@ -76,4 +76,4 @@ class HardRows {
   bool factored_ = false;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -3,9 +3,7 @@
 
 #include "rigless/deform/detail/cell_sweep.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // tr(R C), which is e'.e^r.
 template <class S>
@@ -36,24 +34,22 @@ inline double slice_energy(const typename CellSlices<S>::Cell& cell, simd::Lanes
   return energy;
 }
 
-}  // namespace detail
-
 // Fits R and s of every cell to the surface x (n + 1 rows) and adds the residual to r (n + 1 rows, zero before). Gives
 // the energy at x, if asked; every edge counts from both its ends. Source: thesis Eq 3.3-3.7.
 template <bool with_energy, class S>
 double shape_step(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticScale<S>& elastic, simd::Quad<S>* r) {
   const S give = S(1) / (S(1) + elastic.mu);
   double energy = 0;
-  detail::for_each_slice<with_energy>(
+  for_each_slice<with_energy>(
       slices, x,
       [&](std::size_t s, const MatrixLanes<S>& C) {
         auto& cell = slices.cell[s];
-        return detail::fit_transform(C, cell.inverse_size, give, cell.q, cell.scale);
+        return fit_transform(C, cell.inverse_size, give, cell.q, cell.scale);
       },
-      [&](std::size_t s, const MatrixLanes<S>& M, const detail::Gathered<S>& now) {
-        const auto edges = detail::spread_residual<true, with_energy>(slices, s, M, now.pull, r);
+      [&](std::size_t s, const MatrixLanes<S>& M, const Gathered<S>& now) {
+        const auto edges = spread_residual<true, with_energy>(slices, s, M, now.pull, r);
         const auto& cell = slices.cell[s];
-        if constexpr (with_energy) energy += detail::slice_energy<S>(cell, edges, cell.scale, elastic);
+        if constexpr (with_energy) energy += slice_energy<S>(cell, edges, cell.scale, elastic);
       });
   return energy;
 }
@@ -64,15 +60,14 @@ double shape_energy(CellSlices<S>& slices, const simd::Quad<S>* x, const Elastic
   const S give = S(1) / (S(1) + elastic.mu);
   double energy = 0;
   for (std::size_t s = 0; s < slices.size(); ++s) {
-    const detail::Gathered<S> now = detail::gather_slice<true>(slices, s, x);
+    const Gathered<S> now = gather_slice<true>(slices, s, x);
     QuaternionLanes<S> q = slices.cell[s].q;
     simd::Lanes<S> scale;
-    const MatrixLanes<S> M = detail::fit_transform(now.C, slices.cell[s].inverse_size, give, q, scale);
-    const auto edges =
-        detail::spread_residual<false, true>(slices, s, M, now.pull, static_cast<simd::Quad<S>*>(nullptr));
-    energy += detail::slice_energy<S>(slices.cell[s], edges, scale, elastic);
+    const MatrixLanes<S> M = fit_transform(now.C, slices.cell[s].inverse_size, give, q, scale);
+    const auto edges = spread_residual<false, true>(slices, s, M, now.pull, static_cast<simd::Quad<S>*>(nullptr));
+    energy += slice_energy<S>(slices.cell[s], edges, scale, elastic);
   }
   return energy;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -3,9 +3,7 @@
 
 #include "rigless/deform/detail/cell_sweep.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // An eigenvector, of any length, of the largest eigenvalue of a symmetric positive semidefinite matrix (xx, xy, xz, yy,
 // yz, zz); x where no axis stands out. With trace 1, eigenvalues are 1/3 + 2 sqrt(p) cos(phi), and cos(3 phi) follows
@@ -101,22 +99,20 @@ RIGLESS_INNER MatrixLanes<S> volume_transforms(CellSlices<S>& slices, std::size_
   return M;
 }
 
-}  // namespace detail
-
 // Adds to r (n + 1 rows, zero before) the residual of the pose state over the shape x (n + 1 rows). Rotations are
 // refitted but not kept. Source: thesis Eq 3.7-3.11.
 template <class S, class Law>
 void pose_step(CellSlices<S>& slices, const simd::Quad<S>* x, const Law& law, simd::Quad<S>* r) {
-  detail::for_each_slice<true>(
+  for_each_slice<true>(
       slices, x,
       [&](std::size_t s, const MatrixLanes<S>& C) {
         QuaternionLanes<S> q = slices.cell[s].q;
         fit_rotations(C, q);
-        return detail::volume_transforms(slices, s, rotation_matrix(q), C, law);
+        return volume_transforms(slices, s, rotation_matrix(q), C, law);
       },
-      [&](std::size_t s, const MatrixLanes<S>& M, const detail::Gathered<S>& now) {
-        detail::spread_residual<true, false>(slices, s, M, now.pull, r);
+      [&](std::size_t s, const MatrixLanes<S>& M, const Gathered<S>& now) {
+        spread_residual<true, false>(slices, s, M, now.pull, r);
       });
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -1,5 +1,5 @@
 // How much a stretched cell is squeezed across, in the pose state: where the shape state stretched it along one axis,
-// its volume is kept by the two others.
+// its volume is kept by the two others. Public through Deformer::pose().
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 #include "rigless/math/types.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Column-major arrays of n rows without gaps.
 namespace columns {
@@ -133,4 +133,4 @@ void solve_lu(const Matrix& factors, const std::int32_t* exchange, Right& B) {
                     static_cast<std::int32_t>(B.cols()));
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -10,9 +10,7 @@
 
 #include "rigless/math/span.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 struct Columns {
   std::vector<std::int32_t> parent;  // elimination tree
@@ -123,6 +121,4 @@ RIGLESS_COLD inline Columns column_structure(Span<const std::int32_t> first, Spa
   return c;
 }
 
-}  // namespace detail
-
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -1,5 +1,5 @@
 // Indices are 32 bits in memory, sizes are std::size_t in C++: what takes either to the other, so that no cast says
-// less than it should.
+// less than it should. All of our code counts with them, so they stand in rigless itself.
 #pragma once
 
 #include <cstddef>

@@ -3,9 +3,7 @@
 
 #include "rigless/math/detail/svd3.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // The shortest arc from unit a to unit b; half a turn about any axis across when they are opposite. Eigen's
 // FromTwoVectors would bring its general SVD into every build.
@@ -23,8 +21,6 @@ Mat3<S> shortest_arc(const Vec3<S>& a, const Vec3<S>& b) {
   return about_half * (S(2) * a * a.transpose() - Mat3<S>::Identity());
 }
 
-}  // namespace detail
-
 // The R with det R = +1 that maximises tr(R C), for C = sum w e e'^T (rest edges e, present edges e').
 // Rank 2 (a flat one-ring) is unique by the determinant. Rank 1 leaves a free turn about one axis: the shortest arc
 // is taken. C = 0 gives the identity. No allocation.
@@ -35,11 +31,11 @@ Mat3<S> nearest_rotation(const Mat3<S>& C) {
   const S tiny = svd.sigma[0] * std::numeric_limits<S>::epsilon() * S(8);
   if (svd.sigma[1] <= tiny) {
     if (!(svd.sigma[0] > S(0))) return Mat3<S>::Identity();
-    return detail::shortest_arc<S>(svd.U.col(0), svd.V.col(0));
+    return shortest_arc<S>(svd.U.col(0), svd.V.col(0));
   }
   Mat3<S> U = svd.U;
   if (U.determinant() < S(0)) U.col(2) = -U.col(2);  // V has determinant +1
   return svd.V * U.transpose();
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -5,7 +5,7 @@
 #include "rigless/math/detail/rotation.h"
 #include "rigless/math/detail/simd.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Row-major 3x3 matrices and unit quaternions (w, x, y, z), one per lane.
 template <class S>
@@ -25,8 +25,6 @@ RIGLESS_INNER MatrixLanes<S> rotation_matrix(const QuaternionLanes<S>& q) {
   const L wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
   return {{S(1) - (yy + zz), xy - wz, xz + wy, xy + wz, S(1) - (xx + zz), yz - wx, xz - wy, yz + wx, S(1) - (xx + yy)}};
 }
-
-namespace detail {
 
 // One Newton step on SO(3) towards the maximum of tr(R C): with G = R C, solve (tr G I - sym G) omega = axial(G).
 // Gives |omega|^2, or a negative number in lanes where the second derivative is not negative definite.
@@ -90,8 +88,6 @@ RIGLESS_COLD void settle_exactly(const MatrixLanes<S>& C, simd::Lanes<S> step2, 
   }
 }
 
-}  // namespace detail
-
 // Turns each q to the rotation that maximises tr(R C) in its lane, starting from q. One step as a rule; lanes that
 // Newton cannot bring there (rank <= 1, a jump) take the singular value decomposition. No allocation. Source: thesis
 // Eq 3.4; Newton on SO(3) after Taylor and Kriegman 1994, "Minimization on the Lie group SO(3)".
@@ -102,11 +98,11 @@ RIGLESS_INNER void fit_rotations(const MatrixLanes<S>& C, QuaternionLanes<S>& q)
   constexpr S settled = sizeof(S) == 4 ? S(1e-4) : S(1e-10);
   simd::Lanes<S> step2 = {};
   for (int attempt = 0; attempt < 4; ++attempt) {
-    step2 = detail::newton_step(C, q);
+    step2 = newton_step(C, q);
     if (!simd::any((step2 < S(0)) | ~(step2 <= settled))) return;
     if (simd::any(step2 < S(0))) break;
   }
-  detail::settle_exactly(C, step2, settled, q);
+  settle_exactly(C, step2, settled, q);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace rigless::simd {
+namespace rigless::detail::simd {
 
 template <class S, int N>
 struct VectorOf {
@@ -155,4 +155,4 @@ inline void scatter_add(Quad<S>* rows, const RowOffset* at, Vector<S, N> x, Vect
   }
 }
 
-}  // namespace rigless::simd
+}  // namespace rigless::detail::simd

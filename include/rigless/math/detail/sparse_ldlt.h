@@ -12,7 +12,7 @@
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Four interleaved right-hand sides: x, y, z and padding, so that the factor is read once for all axes.
 template <class S>
@@ -97,4 +97,4 @@ void SparseLdlt<S>::solve(Span<Rhs4<S>> x) {
   for (std::size_t i = 0; i < n; ++i) x[i] = nth(work_, to_factor[i]);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -13,7 +13,7 @@
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 class SupernodalLdlt {
@@ -81,7 +81,7 @@ void SupernodalLdlt<S>::analyze(Span<const std::int32_t> first, Span<const std::
   for (const auto& link : tree_.links) {
     const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
     const auto q = static_cast<std::size_t>(link.end - link.begin);
-    const std::size_t stride = detail::padded<simd::Lanes<S>, S>(q);
+    const std::size_t stride = padded<simd::Lanes<S>, S>(q);
     widest = std::max(widest, stride * static_cast<std::size_t>(d.width));
     largest = std::max(largest, stride * (static_cast<std::size_t>(d.row_count - link.begin) + 3));
   }
@@ -163,14 +163,14 @@ void SupernodalLdlt<S>::subtract_descendants(std::int32_t s) {
     const Supernode& d = tree_.nodes[static_cast<std::size_t>(link.descendant)];
     const auto q = static_cast<std::size_t>(link.end - link.begin);
     const auto p = static_cast<std::size_t>(d.row_count - link.begin);
-    const detail::FactorRows<S> L = {values_.data(), &tree_.blocks[static_cast<std::size_t>(d.blocks)],
-                                     static_cast<std::size_t>(d.width), static_cast<std::size_t>(link.begin)};
+    const FactorRows<S> L = {values_.data(), &tree_.blocks[static_cast<std::size_t>(d.blocks)],
+                             static_cast<std::size_t>(d.width), static_cast<std::size_t>(link.begin)};
     if (q <= 4) {
-      detail::outer_product<simd::Quad<S>>(L, p, q, scaled_.data(), update_.data());
+      outer_product<simd::Quad<S>>(L, p, q, scaled_.data(), update_.data());
     } else {
-      detail::outer_product<simd::Lanes<S>>(L, p, q, scaled_.data(), update_.data());
+      outer_product<simd::Lanes<S>>(L, p, q, scaled_.data(), update_.data());
     }
-    const std::size_t stride = detail::padded<simd::Lanes<S>, S>(q);
+    const std::size_t stride = padded<simd::Lanes<S>, S>(q);
     const std::int32_t* rows = tree_.rows.data() + d.rows + link.begin;
     for (std::size_t r = 0; r < p; ++r) {
       S* target = panel_.data() + static_cast<std::size_t>(local_row_[static_cast<std::size_t>(rows[r])]) * w;
@@ -200,7 +200,7 @@ std::int32_t SupernodalLdlt<S>::eliminate(std::int32_t s) {
       panel[i * w + j] = t * inverse;
     }
   }
-  for (std::size_t i = w; i < total; ++i) detail::eliminate_row(panel, w, panel + i * w);
+  for (std::size_t i = w; i < total; ++i) eliminate_row(panel, w, panel + i * w);
   return -1;
 }
 
@@ -220,19 +220,19 @@ void SupernodalLdlt<S>::store_blocks(std::int32_t s) {
 template <class S>
 void SupernodalLdlt<S>::solve(Quad* x) const {
   const auto run = [&](const ColumnBlock& block, auto kernel) {
-    detail::with_width<ColumnBlock::widest>(static_cast<std::size_t>(block.width), [&](auto n) {
+    with_width<ColumnBlock::widest>(static_cast<std::size_t>(block.width), [&](auto n) {
       kernel(n, values_.data() + block.values, static_cast<std::size_t>(block.row_count), row_at_.data() + block.rows,
              x + block.first);
     });
   };
   for (const ColumnBlock& block : tree_.blocks) {
     run(block, [x](auto n, const S* L, std::size_t m, const simd::RowOffset* rows, Quad* y) {
-      detail::forward_block<S, n>(L, m, rows, y, x);
+      forward_block<S, n>(L, m, rows, y, x);
     });
   }
   for (auto block = tree_.blocks.rbegin(); block != tree_.blocks.rend(); ++block) {
     run(*block, [x](auto n, const S* L, std::size_t m, const simd::RowOffset* rows, Quad* y) {
-      detail::backward_block<S, n>(L, m, rows, y, x);
+      backward_block<S, n>(L, m, rows, y, x);
     });
   }
 }
@@ -243,4 +243,4 @@ std::int64_t SupernodalLdlt<S>::bytes() const {
                   tree_.vertex_at, tree_.node_of, tree_.nodes, tree_.blocks, tree_.rows, tree_.links);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

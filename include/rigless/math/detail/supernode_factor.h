@@ -8,9 +8,7 @@
 #include "rigless/math/detail/simd.h"
 #include "rigless/math/detail/supernode_tree.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // Rows of a factored supernode's blocks: `width` columns, from the begin-th row below its triangle on.
 template <class S>
@@ -88,6 +86,4 @@ void eliminate_row(const S* square, std::size_t w, S* row) {
   }
 }
 
-}  // namespace detail
-
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -6,9 +6,7 @@
 
 #include "rigless/math/detail/simd.h"
 
-namespace rigless {
-
-namespace detail {
+namespace rigless::detail {
 
 // Calls f with w as a compile-time constant, 1 <= w <= Most, so that its loops unroll and its sums stay in registers.
 template <std::size_t Most, class F>
@@ -56,6 +54,4 @@ inline void backward_block(const S* L, std::size_t m, const simd::RowOffset* row
   }
 }
 
-}  // namespace detail
-
-}  // namespace rigless
+}  // namespace rigless::detail

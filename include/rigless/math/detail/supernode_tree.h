@@ -4,7 +4,7 @@
 
 #include "rigless/math/detail/elimination_tree.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Columns first .. first + width - 1 of the factor; below their triangle they share row_count rows.
 struct Supernode {
@@ -51,8 +51,6 @@ struct SupernodeTree {
 // it. Allocates. Source: Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4 and 7; Ashcraft and Grimes 1989
 // for the relaxed merging.
 RIGLESS_COLD SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor);
-
-namespace detail {
 
 // Last column of each supernode. Neighbouring columns join when their rows agree, or nearly: a stored zero costs less
 // than a supernode of its own.
@@ -130,8 +128,6 @@ RIGLESS_COLD inline void link_supernodes(SupernodeTree& tree) {
   }
 }
 
-}  // namespace detail
-
 inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<const std::int32_t> neighbor) {
   SupernodeTree tree;
   const auto invert = [&] {
@@ -140,19 +136,19 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
       nth(tree.place, tree.vertex_at[i]) = static_cast<std::int32_t>(i);
     }
   };
-  tree.vertex_at = detail::minimum_degree_order(first, neighbor);
+  tree.vertex_at = minimum_degree_order(first, neighbor);
   invert();
-  const auto order = detail::postorder(detail::elimination_tree(first, neighbor, tree.vertex_at, tree.place));
+  const auto order = postorder(elimination_tree(first, neighbor, tree.vertex_at, tree.place));
   std::vector<std::int32_t> vertex_at;
   vertex_at.reserve(order.size());
   for (const std::int32_t i : order) vertex_at.push_back(nth(tree.vertex_at, i));
   tree.vertex_at = std::move(vertex_at);
   invert();
 
-  const detail::Columns columns = detail::column_structure(first, neighbor, tree.vertex_at, tree.place);
+  const Columns columns = column_structure(first, neighbor, tree.vertex_at, tree.place);
   tree.node_of.resize(tree.place.size());
   std::int32_t start = 0;
-  for (const std::int32_t end : detail::supernode_ends(columns)) {
+  for (const std::int32_t end : supernode_ends(columns)) {
     Supernode node;
     node.first = start;
     node.width = end - start + 1;
@@ -162,7 +158,7 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
     const auto to = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.begin[to_size(end) + 1]);
     tree.rows.insert(tree.rows.end(), from, to);
     node.row_count = static_cast<std::int32_t>(to - from);
-    detail::append_blocks(tree, node);
+    append_blocks(tree, node);
     for (std::int32_t k = start; k <= end; ++k) {
       nth(tree.node_of, k) = count_of(tree.nodes);
     }
@@ -174,8 +170,8 @@ inline SupernodeTree build_supernode_tree(Span<const std::int32_t> first, Span<c
       node.parent = nth(tree.node_of, nth(tree.rows, node.rows));
     }
   }
-  detail::link_supernodes(tree);
+  link_supernodes(tree);
   return tree;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -6,7 +6,7 @@
 
 #include "rigless/math/types.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // A = U diag(sigma) V^T.
 template <class S>
@@ -21,8 +21,6 @@ struct Svd3 {
 // Source: one-sided Jacobi (Hestenes 1958; de Rijk's ordering is not needed for three columns).
 template <class S>
 Svd3<S> svd3(const Mat3<S>& A);
-
-namespace detail {
 
 // Turns columns p and q of B (and V along) until they are orthogonal. Says whether it had to.
 template <class S>
@@ -52,8 +50,6 @@ Vec3<S> any_orthogonal(const Vec3<S>& a) {
   return a.cross(Vec3<S>::Unit(k)).normalized();
 }
 
-}  // namespace detail
-
 template <class S>
 Svd3<S> svd3(const Mat3<S>& A) {
   Svd3<S> out;
@@ -66,9 +62,9 @@ Svd3<S> svd3(const Mat3<S>& A) {
   Mat3<S> B = A / scale;  // so that squares neither overflow nor vanish
   Mat3<S> V = Mat3<S>::Identity();
   for (int sweep = 0; sweep < 30; ++sweep) {
-    bool turned = detail::orthogonalize_columns(B, V, 0, 1);
-    turned |= detail::orthogonalize_columns(B, V, 0, 2);
-    turned |= detail::orthogonalize_columns(B, V, 1, 2);
+    bool turned = orthogonalize_columns(B, V, 0, 1);
+    turned |= orthogonalize_columns(B, V, 0, 2);
+    turned |= orthogonalize_columns(B, V, 1, 2);
     if (!turned) break;
   }
   Vec3<S> sigma = B.colwise().norm().transpose();
@@ -90,7 +86,7 @@ Svd3<S> svd3(const Mat3<S>& A) {
   if (out.sigma[1] > tiny) {
     out.U.col(1) /= out.sigma[1];
   } else {
-    out.U.col(1) = detail::any_orthogonal<S>(out.U.col(0));
+    out.U.col(1) = any_orthogonal<S>(out.U.col(0));
   }
   if (out.sigma[2] > tiny) {
     out.U.col(2) /= out.sigma[2];
@@ -101,4 +97,4 @@ Svd3<S> svd3(const Mat3<S>& A) {
   return out;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

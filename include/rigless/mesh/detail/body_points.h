@@ -4,19 +4,7 @@
 #include "rigless/mesh/detail/extremities.h"
 #include "rigless/mesh/detail/posture.h"
 
-namespace rigless {
-
-enum class BodyRole : std::int32_t { tip, head, hand, foot, foreleg, tail, hips, chest };
-
-template <class S>
-struct BodyPoint {
-  std::int32_t vertex = -1;
-  BodyRole role = BodyRole::tip;
-  std::int32_t side = 0;      // 1 on the body's left, -1 on its right, 0 in the middle
-  std::int32_t partner = -1;  // index of the same point on the other side, its own on the plane of symmetry, or -1
-  S radius = S(0);            // of what moves as one piece with it, along the surface
-  bool wanted = true;         // a body needs it to dance; else it is there to be chosen
-};
+namespace rigless::detail {
 
 // Points of a body, at most 32; the wanted ones come first.
 template <class S>
@@ -274,4 +262,4 @@ class BodyReader {
   std::int32_t center_ = 0, head_ = 0;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

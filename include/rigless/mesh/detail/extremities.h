@@ -3,7 +3,7 @@
 
 #include "rigless/mesh/detail/surface_graph.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // A tip: `prominence` is how far one must come back towards the middle to reach a farther tip, as with mountains.
 template <class S>
@@ -85,4 +85,4 @@ std::vector<Extremity<S>> extremities(const SurfaceGraph<S>& graph, Span<const S
   return found;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

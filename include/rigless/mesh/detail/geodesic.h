@@ -7,7 +7,7 @@
 
 #include "rigless/mesh/detail/one_ring.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 struct GeodesicVertex {
@@ -48,4 +48,4 @@ RIGLESS_COLD std::vector<GeodesicVertex<S>> vertices_within(Span<const Vec3<S>> 
   return reached;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

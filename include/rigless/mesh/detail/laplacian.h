@@ -7,7 +7,7 @@
 
 #include "rigless/mesh/detail/one_ring.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Bounds on a cotangent weight. Below: negative weights make the energy unbounded (obtuse triangles). Above: a needle
 // triangle must not drown its neighbours in single precision.
@@ -53,16 +53,4 @@ std::vector<S> uniform_weights(const OneRing& ring) {
   return std::vector<S>(to_size(ring.edges()), S(1));
 }
 
-// w_ij = 1 / |N(i)|: not symmetric; only for Eq 2.1. Allocates the result.
-template <class S>
-std::vector<S> normalized_uniform_weights(const OneRing& ring) {
-  std::vector<S> w(to_size(ring.edges()));
-  for (std::size_t i = 0; i + 1 < ring.first.size(); ++i) {
-    for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
-      nth(w, k) = S(1) / static_cast<S>(ring.first[i + 1] - ring.first[i]);
-    }
-  }
-  return w;
-}
-
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -4,7 +4,7 @@
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 struct Bounds {
@@ -56,4 +56,4 @@ S surface_area(Span<const Vec3<S>> vertices, Span<const Face> faces) {
   return static_cast<S>(twice / 2);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

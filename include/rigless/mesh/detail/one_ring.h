@@ -11,7 +11,8 @@
 namespace rigless {
 
 // Neighbours of vertex i are neighbor[first[i]] .. neighbor[first[i + 1] - 1], ascending, each once, never i itself.
-// A slot of that table is a directed edge i -> j.
+// A slot of that table is a directed edge i -> j. Public through
+// the weights of a Deformer.
 struct OneRing {
   std::vector<std::int32_t> first;     // V + 1
   std::vector<std::int32_t> neighbor;  // directed edges
@@ -27,6 +28,10 @@ struct OneRing {
     return it != end && *it == j ? static_cast<std::int32_t>(it - neighbor.begin()) : -1;
   }
 };
+
+}  // namespace rigless
+
+namespace rigless::detail {
 
 // The first face that names a vertex outside [0, vertices), or no error. Errors: no_faces; index_out_of_range (face).
 inline Status check_faces(Span<const Face> faces, std::int32_t vertices) {
@@ -83,4 +88,4 @@ RIGLESS_COLD inline OneRing one_ring(Span<const Face> faces, std::int32_t vertic
   return one_ring_from_pairs(pairs, vertices);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -3,20 +3,7 @@
 
 #include "rigless/mesh/detail/symmetry.h"
 
-namespace rigless {
-
-// Three axes of the file, right-handed: the body's left, its up and its front.
-template <class S>
-struct Posture {
-  Vec3<S> left = Vec3<S>::UnitX();
-  Vec3<S> up = Vec3<S>::UnitY();
-  Vec3<S> front = Vec3<S>::UnitZ();
-
-  // Seen by the body: left, up, front.
-  Vec3<S> see(const Vec3<S>& p) const { return {left.dot(p), up.dot(p), front.dot(p)}; }
-};
-
-namespace detail {
+namespace rigless::detail {
 
 // Axis k of 0 .. 5: +x, -x, +y, -y, +z, -z.
 template <class S>
@@ -80,8 +67,6 @@ S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& fro
   return (mean(0) - mean(1)) / tall + (mean(2) - mean(3)) / std::max(length, tall);
 }
 
-}  // namespace detail
-
 // The axes of a body from M samples of its surface, its tips and the plane that fits it best, which may fit badly: left
 // and right are across it. Where nothing speaks for another answer it is that of most files, +y up and +z front. No
 // allocation.
@@ -94,8 +79,8 @@ Posture<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, 
   S best = -std::numeric_limits<S>::max();
   for (const int k : {2, 4, 5, 3, 0, 1}) {
     if (k / 2 == across) continue;
-    const Vec3<S> up = detail::signed_axis<S>(k);
-    const S score = detail::uprightness(samples, tips, up);
+    const Vec3<S> up = signed_axis<S>(k);
+    const S score = uprightness(samples, tips, up);
     if (score <= best + S(0.01)) continue;
     best = score;
     posture.up = up;
@@ -103,9 +88,9 @@ Posture<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, 
   if (across < 0) across = std::abs(posture.up.x()) > S(0.5) ? 1 : 0;
   posture.front = posture.up.cross(Vec3<S>::Unit(across)).cwiseAbs();
   if (std::abs(posture.up.z()) > S(0.5)) posture.front = -posture.front;  // the front of a file whose z is up is -y
-  if (detail::forwardness(samples, posture.up, posture.front) < S(-0.01)) posture.front = -posture.front;
+  if (forwardness(samples, posture.up, posture.front) < S(-0.01)) posture.front = -posture.front;
   posture.left = posture.up.cross(posture.front);
   return posture;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -7,7 +7,7 @@
 
 #include "rigless/mesh/detail/one_ring.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // The shell (connected piece) of each vertex, numbered by first vertex; isolated vertices are shells of their own.
 struct Shells {
@@ -39,8 +39,6 @@ RIGLESS_COLD inline Shells find_shells(const OneRing& ring) {
   }
   return shells;
 }
-
-namespace detail {
 
 // Points sorted into cubes, so that the nearest foreign point is found without looking at all.
 template <class S>
@@ -99,8 +97,6 @@ class PointGrid {
   std::vector<std::int64_t> keys_;
 };
 
-}  // namespace detail
-
 // Pairs of vertices that tie every shell to what is nearest, until the whole mesh hangs together: up to
 // `ties_per_shell` pairs between a shell and its nearest neighbour shell, spread over the smaller of the two. A mesh of
 // one shell needs none. Allocates.
@@ -134,7 +130,7 @@ RIGLESS_COLD std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3
     for (std::size_t s = 1; s < members.size(); ++s) {
       if (members[s].size() > members[largest].size()) largest = s;
     }
-    const detail::PointGrid<S> grid(vertices, cell);
+    const PointGrid<S> grid(vertices, cell);
     const std::size_t before = ties.size();
     for (std::size_t s = 0; s < members.size(); ++s) {
       if (s == largest) continue;
@@ -176,4 +172,4 @@ RIGLESS_COLD std::vector<std::array<std::int32_t, 2>> tie_shells(Span<const Vec3
   return ties;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -7,7 +7,7 @@
 #include "rigless/mesh/detail/geodesic.h"
 #include "rigless/mesh/detail/shells.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // N nodes. The graph hangs together: shells are tied to what is nearest.
 template <class S>
@@ -21,8 +21,6 @@ struct SurfaceGraph {
 
   std::size_t size() const { return vertex.size(); }
 };
-
-namespace detail {
 
 // One thinning: nodes are taken in order and swallow the neighbours that nobody has; a third or a quarter remains.
 template <class S>
@@ -53,8 +51,6 @@ SurfaceGraph<S> thin(const SurfaceGraph<S>& fine) {
   for (const std::int32_t node : fine.node_of) coarse.node_of.push_back(node < 0 ? -1 : nth(taker, node));
   return coarse;
 }
-
-}  // namespace detail
 
 // Thins V vertices under F faces, whose indices were checked, until at most `most` nodes are left or no more can be
 // joined. Vertices that no face uses are left out. Allocates.
@@ -95,7 +91,7 @@ SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> fac
     graph.ring = one_ring_from_pairs(pairs, count);
   }
   while (graph.size() > most) {
-    SurfaceGraph<S> thinner = detail::thin(graph);
+    SurfaceGraph<S> thinner = thin(graph);
     if (10 * thinner.size() > 9 * graph.size()) break;
     graph = std::move(thinner);
   }
@@ -112,4 +108,4 @@ std::vector<S> node_distances(const SurfaceGraph<S>& graph, std::int32_t source)
   return distances;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -6,20 +6,10 @@
 
 #include "rigless/math/detail/svd3.h"
 #include "rigless/mesh/detail/measure.h"
+#include "rigless/mesh/detail/shape_facts.h"
 #include "rigless/mesh/detail/shells.h"
 
-namespace rigless {
-
-template <class S>
-struct SymmetryPlane {
-  Vec3<S> point = Vec3<S>::Zero();
-  Vec3<S> normal = Vec3<S>::UnitX();
-  // Mean distance of the mirrored surface from the surface, in diagonals.
-  S misfit = std::numeric_limits<S>::max();
-
-  S side(const Vec3<S>& p) const { return normal.dot(p - point); }
-  Vec3<S> mirror(const Vec3<S>& p) const { return p - S(2) * side(p) * normal; }
-};
+namespace rigless::detail {
 
 // `count` points spread evenly over F faces, the same each time; the vertices where the faces have no area. Allocates.
 template <class S>
@@ -136,14 +126,8 @@ class SymmetryFinder {
   Span<const Vec3<S>> samples_;
   Bounds<S> box_;
   S reach_;
-  detail::PointGrid<S> grid_;
+  PointGrid<S> grid_;
   Vec3<S> center_ = Vec3<S>::Zero();
 };
 
-// Whether the mirror image of the surface lies within 2 % of its diagonal of it.
-template <class S>
-bool is_symmetric(const SymmetryPlane<S>& plane) {
-  return plane.misfit < S(0.02);
-}
-
-}  // namespace rigless
+}  // namespace rigless::detail

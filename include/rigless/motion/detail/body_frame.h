@@ -10,7 +10,7 @@
 #include "rigless/math/types.h"
 #include "rigless/motion/clip.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // T, radians about +Y: the twist of the root's rotation in its swing-twist decomposition, the first in (-pi, pi], then
 // unwrapped so that it never jumps by a turn. A frame in which the root is upside down has none and keeps the last.
@@ -74,4 +74,4 @@ std::vector<Vec3<S>> body_local_positions(const Clip<S>& clip, Span<const S> yaw
   return local;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

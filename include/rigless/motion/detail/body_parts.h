@@ -1,4 +1,4 @@
-// Parts and sides of a body, and what a joint's name says of them.
+// Parts and sides of a body, and what a joint's name says of them. Public through joint_names.h and joint_roles.h.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@
 #include "rigless/math/types.h"
 #include "rigless/motion/detail/text_scanner.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // One value of a frame: a position or a rotation (degrees) along or about axis 0, 1, 2.
 struct BvhChannel {
@@ -153,4 +153,4 @@ inline Status parse_bvh_hierarchy(TextScanner& scanner, BvhHierarchy& hierarchy)
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -6,7 +6,7 @@
 
 #include "rigless/math/types.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
 
@@ -21,4 +21,4 @@ inline void turn_about_axis(std::int32_t axis, double angle, Mat3<double>& rotat
   rotation.col(b) = c * rotation.col(b) - s * first;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

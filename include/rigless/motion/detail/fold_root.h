@@ -12,7 +12,7 @@
 #include "rigless/motion/detail/role_finder.h"
 #include "rigless/motion/detail/skeleton_tree.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // What a clip keeps of a file's joints: the hips, which become joint 0, and all that hangs on them.
 struct KeptJoints {
@@ -25,8 +25,8 @@ struct KeptJoints {
 // All joints, unless the joints of the body can be told and the hips, which carry more than half of all, are not the
 // root. `pose`: J, joint positions of any frame. Allocates.
 inline KeptJoints joints_from_hips(const Skeleton& skeleton, const std::vector<Vec3<double>>& pose) {
-  const detail::SkeletonTree tree(skeleton);
-  const JointRoles roles = detail::RoleFinder(skeleton).find(detail::Poses(pose, pose.size()));
+  const SkeletonTree tree(skeleton);
+  const JointRoles roles = RoleFinder(skeleton).find(Poses(pose, pose.size()));
   const bool fold = roles.known() && 2 * tree.size(roles.root) > tree.joints();
   KeptJoints kept;
   for (std::int32_t j = 0; j < tree.joints(); ++j) {
@@ -50,4 +50,4 @@ inline Skeleton kept_skeleton(const Skeleton& skeleton, const KeptJoints& kept) 
   return result;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

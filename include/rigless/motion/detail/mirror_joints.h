@@ -8,7 +8,7 @@
 #include "rigless/motion/detail/name_reader.h"
 #include "rigless/motion/joint_roles.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // J: the joint on the other side of the body, itself on the middle line and where there is none. By the roles, and for
 // joints without one (fingers, helpers, ends) in their order by what their names say. Mirroring twice gives the joint
@@ -27,7 +27,7 @@ inline std::vector<std::int32_t> mirror_joints(const Skeleton& skeleton, const J
     const auto one = static_cast<BodyPart>(part);
     pair(roles.find(BodySide::left, one), roles.find(BodySide::right, one));
   }
-  const detail::NameReader reader(skeleton.names);
+  const NameReader reader(skeleton.names);
   const std::vector<JointName> names = reader.read();
   const auto same = [&](std::int32_t a, std::int32_t b) {
     const auto l = static_cast<std::size_t>(a), r = static_cast<std::size_t>(b);
@@ -45,4 +45,4 @@ inline std::vector<std::int32_t> mirror_joints(const Skeleton& skeleton, const J
   return mirror;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -6,7 +6,7 @@
 
 #include "rigless/motion/detail/text_scanner.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 enum class MotionFormat : std::int32_t { unknown, bvh, asf, amc };
 
@@ -34,4 +34,4 @@ inline MotionFormat motion_format(std::string_view text) {
   return MotionFormat::unknown;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

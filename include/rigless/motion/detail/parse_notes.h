@@ -1,4 +1,4 @@
-// What a parser worked around, so that the user can be told.
+// What a parser worked around, so that the user can be told. Public through the parsers.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 #include "rigless/math/status.h"
 #include "rigless/motion/clip.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Frames at another rate that lie in the duration of `clip`: floor((frames - 1) * ratio) + 1.
 template <class S>
@@ -78,4 +78,4 @@ Status resample(const Clip<S>& clip, S fps, Clip<S>& out) {
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -1,4 +1,4 @@
-// The joints that carry the parts of a body.
+// The joints that carry the parts of a body. Public through joint_roles.h.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "rigless/motion/clip.h"
 #include "rigless/motion/joint_roles.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Gives the root new axes, X to the body's left and Y to its head, by the quarter turns nearest to where the hips and
 // the head are on average; false, and nothing changes, if they are there already or the roles are missing. Some
@@ -55,4 +55,4 @@ bool align_root_axes(Clip<S>& clip, const JointRoles& roles) {
   return true;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

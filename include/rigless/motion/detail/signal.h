@@ -9,7 +9,7 @@
 #include "rigless/math/detail/macros.h"
 #include "rigless/math/status.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Frames on each side of the middle so that the window spans about `seconds`.
 template <class S>
@@ -84,4 +84,4 @@ std::vector<S> parabola_acceleration(const std::vector<S>& x, std::int32_t half,
   return acceleration;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

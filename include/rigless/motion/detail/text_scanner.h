@@ -8,7 +8,7 @@
 
 #include "rigless/math/status.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Decimal text to double, independent of the locale. Takes a point or a comma before the fraction, and exponents.
 // Exact up to 15 digits, within a few units in the last place beyond. Returns the characters used, 0 if there is no
@@ -187,4 +187,4 @@ inline Status TextScanner::number(double& value) {
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

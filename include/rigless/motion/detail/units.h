@@ -15,6 +15,7 @@ namespace rigless {
 
 inline constexpr double person_height = 1.7;  // metres, where nothing better is known
 
+// Public through standardise.h, as is UnitGuess.
 enum class LengthUnit : std::int32_t { metre, centimetre, millimetre, inch, cmu, foot, none };
 
 template <class S>
@@ -22,6 +23,10 @@ struct UnitGuess {
   S metres_per_unit = 1;
   LengthUnit unit = LengthUnit::none;  // none: the body is as tall as no unit makes it, and scaled to person_height
 };
+
+}  // namespace rigless
+
+namespace rigless::detail {
 
 // Height of the upright body in the clip's units: the bones from ankle over hip and root to the top of the head,
 // measured in the first frame, or without these roles how high the joints reach above each other, median over the
@@ -105,4 +110,4 @@ void scale_clip(Clip<S>& clip, S factor) {
   clip.metres_per_unit *= factor;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -13,7 +13,12 @@
 
 namespace rigless {
 
+// Public through standardise.h.
 enum class UpAxis : std::int32_t { y, z };
+
+}  // namespace rigless
+
+namespace rigless::detail {
 
 // Z if the head is, on average over the clip, above the feet along +Z rather than Y, and the skeleton at rest (J, file
 // units, or empty; ParseNotes::rest) does not itself stand along Y, as that of a man who lies down does. Y in doubt.
@@ -56,4 +61,4 @@ void turn_z_up_to_y_up(Clip<S>& clip) {
   for (Eigen::Quaternion<S>& q : clip.root_rotation) q = Eigen::Quaternion<S>(q.w(), q.x(), q.z(), -q.y());
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

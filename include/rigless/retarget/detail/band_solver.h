@@ -10,7 +10,7 @@
 #include "rigless/math/detail/dense_solve.h"
 #include "rigless/math/detail/macros.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Row f of D2'D2, the Gram matrix of second differences over T frames without rows for the first and the last frame:
 // the entries at f-2 .. f+2, zero outside the clip. No allocation. Source: thesis Eq 3.24-3.26.
@@ -97,4 +97,4 @@ class BandSolver {
   std::size_t next_ = 0;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

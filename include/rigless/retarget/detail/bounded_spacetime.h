@@ -10,7 +10,7 @@
 
 #include "rigless/retarget/detail/spacetime.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // SpacetimeSolver under lower <= w <= upper for every weight in use. A primal-dual interior point method: each of its
 // iterations is one spacetime system with a stiffness and a pull on the weights, so it stays linear in T. Where no
@@ -154,4 +154,4 @@ class BoundedSpacetimeSolver {
   int iteration_ = 0;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -13,7 +13,7 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/detail/constraint_rows.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // R equations over C tracks of T frames: the Schur complement that the tracks leave behind, its multipliers, and which
 // constraints contradict each other. bind(), every response(), solve(), then measure() the tracks under these forces.
@@ -101,4 +101,4 @@ class ConstraintForces {
   std::vector<std::int32_t> opponents_;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -10,7 +10,7 @@
 #include "rigless/math/status.h"
 #include "rigless/retarget/constraints.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // One scalar equation: the sum of factor * (track at frame)[axis] over its two terms equals `target`. A factor may be
 // 0.
@@ -62,4 +62,4 @@ Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, s
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

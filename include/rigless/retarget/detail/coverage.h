@@ -14,7 +14,7 @@
 #include "rigless/retarget/detail/weight_elimination.h"
 #include "rigless/retarget/example.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 struct CoverageOptions {
   double enough = 0.15;       // error at which the examples are enough, in pose spreads
@@ -203,4 +203,4 @@ class PoseCoverage {
   Stage stage_ = Stage::done;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

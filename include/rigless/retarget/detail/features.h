@@ -12,7 +12,7 @@
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/example.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Poses over the P paired joints, each joint centred on its examples' mean and divided by their spread (RMS), so that
 // metres or inches, hands or hips weigh the same.
@@ -104,4 +104,4 @@ struct ControlSpace {
   Vec3<S> out(const Vec3<S>& p, std::size_t control) const { return centre[control] + spread * p; }
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

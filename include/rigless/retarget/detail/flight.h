@@ -6,7 +6,7 @@
 
 #include "rigless/math/detail/macros.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // First velocity (units per frame) of a flight of `frames` frames that ends `rise` above its start, when each frame
 // does v += gravity, x += v (semi-implicit Euler: lands exactly). gravity: units per frame^2, negative. No allocation.
@@ -36,4 +36,4 @@ S gravity_per_frame(S fps) {
   return S(-9.81) / (fps * fps);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

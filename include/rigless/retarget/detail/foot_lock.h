@@ -10,7 +10,7 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/detail/band_solver.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 struct FootLockOptions {
@@ -88,4 +88,4 @@ Status lock_feet(Span<Vec3<S>> tracks, Span<const std::uint8_t> labels, Span<con
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -12,7 +12,7 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/detail/pose_spread.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 struct KeyPose {
   std::int32_t frame = 0;
@@ -62,4 +62,4 @@ std::vector<KeyPose> suggest_key_poses(Span<const Vec3<S>> clip, std::int32_t jo
   return farthest_poses<S>(features, static_cast<std::int32_t>(clip.size() / stride), count);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -11,7 +11,7 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/example.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Partners in the mirror. The human's plane is x = 0 of the body-local frame; the mesh has its own.
 template <class S>
@@ -51,4 +51,4 @@ void add_mirror_images(const MirrorTables<S>& mirror, Span<const Vec3<S>> rest, 
   }
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

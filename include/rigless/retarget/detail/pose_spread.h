@@ -10,7 +10,7 @@
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // The joints that `pairs` (C joint indices below joint_count, or -1) names, without repeats, in order of the controls;
 // all joints when no control is paired. Allocates.
@@ -106,4 +106,4 @@ void fill_unknown_joints(Span<const Vec3<S>> clip, Span<const std::int32_t> pair
   }
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -11,7 +11,7 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/detail/smoothing.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 struct RootMotionOptions {
@@ -90,4 +90,4 @@ Status root_from_contacts(Span<const Vec3<S>> tracks, Span<const std::uint8_t> l
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -8,7 +8,7 @@
 
 #include "rigless/math/span.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Smooths `values` (T) in place by a Hann window as long as `frames_at_30` frames at 30 fps (an odd number of frames at
 // `fps`), its zero ends left out; the ends of the series are repeated. T: a scalar or a vector. Allocates.
@@ -35,4 +35,4 @@ void smooth_hann(std::vector<T>& values, S frames_at_30, S fps) {
   }
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

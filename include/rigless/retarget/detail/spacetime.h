@@ -16,7 +16,7 @@
 #include "rigless/retarget/detail/spacetime_track.h"
 #include "rigless/retarget/detail/weight_elimination.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 struct SpacetimeOptions {
@@ -250,4 +250,4 @@ class SpacetimeSolver {
   std::vector<std::vector<S>> weights_;         // C x T x N
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -11,7 +11,7 @@
 #include "rigless/retarget/detail/band_solver.h"
 #include "rigless/retarget/detail/weight_elimination.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // lambda_A and the offset track. Per frame^2: a clip at another rate needs other values.
 template <class S>
@@ -141,4 +141,4 @@ class SpacetimeTrack {
   std::vector<Eigen::Matrix<S, 6, 1>> both_right_;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -14,7 +14,7 @@
 #include "rigless/retarget/detail/starter_poses.h"
 #include "rigless/retarget/example.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Appends starters to the examples of the user, at key poses of the clip. What the user showed counts more: starters
 // learn from it how the user differs from them, most from the poses that are most alike; the more examples there are,
@@ -68,4 +68,4 @@ Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<con
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -10,7 +10,7 @@
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 struct StarterOptions {
@@ -181,4 +181,4 @@ class StarterPoses {
   S size_ = 1, legs_ = 1;  // model over human
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -12,25 +12,9 @@
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/example.h"
 
-namespace rigless {
-
-template <class S>
-struct WeightOptions {
-  // mu: cost of the squared weight of an example, times its squared distance from the frame.
-  S locality = S(0.002);
-  // Cost of every squared weight, times the squared distance to the nearest example: between the examples, where a hand
-  // that drags imprecisely does most harm, more of them share the weight; an example's own pose stays its own.
-  S sharing = S(0.02);
-  // Weight of the soft row "sum of weights = 1" of Eq 3.19; 0: the sum is 1 exactly, so that translations do not
-  // matter.
-  S soft_affine = 0;
-  // Only that many nearest examples of each frame are used (the paper: 4, ties by index); 0: all.
-  std::int32_t nearest = 0;
-  // Cost of the squared weights: shares the weight among examples that nothing else tells apart. Never less than what
-  // rounding demands.
-  S tikhonov = S(1e-12);
-};
+namespace rigless::detail {
 
 // A further cost 1/2 stiffness w^2 - pull w of every weight of a frame (N of each), or none.
 template <class S>
@@ -210,4 +194,4 @@ class WeightElimination {
   std::vector<S> right_;                 // four columns
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -3,7 +3,7 @@
 
 #include "rigless/deform/deformer.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Shape iterations of a frame that begins with nothing but its targets. The scaled shape state gives up volume while it
 // converges (cells may shrink at a price), so this number is part of what a frame looks like: on a walking cow the
@@ -53,4 +53,4 @@ class Drag {
   bool at_rest_ = true;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

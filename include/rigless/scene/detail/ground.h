@@ -12,7 +12,7 @@
 #include "rigless/scene/detail/slip.h"
 #include "rigless/scene/detail/standing_controls.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 template <class S>
 class Ground {
@@ -121,4 +121,4 @@ class Ground {
   std::vector<Flight> flights_;
 };
 
-}  // namespace rigless
+}  // namespace rigless::detail

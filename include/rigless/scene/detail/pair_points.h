@@ -13,7 +13,7 @@
 #include "rigless/motion/joint_roles.h"
 #include "rigless/scene/staged_motion.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // For each name the joint that is called so, else the one that is the part of the body which the name means, in the
 // spelling of any skeleton or in plain words ("left foot"); -1 where there is none. Allocates.
@@ -55,6 +55,7 @@ Status guess_points(const ShapeAnalysis<S>& shape, S height, const StagedMotion<
     Point out;
     out.vertex = point.vertex;
     out.radius = point.radius / height;
+    out.slab = point.role == BodyRole::hips || point.role == BodyRole::chest;
     points.push_back(out);
     joints.push_back(joint_of_point(motion.roles, point));
   }
@@ -95,4 +96,4 @@ Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& mot
   return {};
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

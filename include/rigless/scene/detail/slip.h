@@ -6,7 +6,7 @@
 
 #include "rigless/scene/performance.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // Horizontal speed, in units per second, of controls over the pairs of frames in both of which they are labelled;
 // divide by the model's height for heights per second. 0 when nothing stands. tracks: T x C world positions; labels: T
@@ -29,4 +29,4 @@ Slip<S> measure_slip(Span<const Vec3<S>> tracks, Span<const std::uint8_t> labels
   return slip;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -8,7 +8,7 @@
 #include "rigless/mesh/detail/posture.h"
 #include "rigless/scene/performance.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // The stage: metres, Y up, facing +Z, on y = 0 around x = z = 0.
 template <class S>
@@ -46,4 +46,4 @@ StageTransform<S> stage_transform(Span<const Vec3<S>> vertices, const Posture<S>
   return stage;
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

@@ -6,7 +6,7 @@
 #include "rigless/math/span.h"
 #include "rigless/scene/staged_motion.h"
 
-namespace rigless {
+namespace rigless::detail {
 
 // K of the C controls, with the labels that the human's feet give them.
 template <class S>
@@ -91,4 +91,4 @@ void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S fl
   standing = std::move(edited);
 }
 
-}  // namespace rigless
+}  // namespace rigless::detail

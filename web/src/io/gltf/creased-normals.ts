@@ -1,15 +1,22 @@
 // Normals for what comes without: faces that meet at a small angle are one smooth surface, at a crease each keeps its own.
 
-import { TupleTable } from "../tuple-table";
-import type { BuiltPart } from "./build";
+import { TupleTable } from "../../util/tuple-table";
 
 const CREASE_DEGREES = 50;
+
+interface Part {
+  /** N x 3. */
+  readonly positions: ArrayLike<number>;
+  /** Triangles over N. */
+  readonly index: ArrayLike<number>;
+  readonly normals?: ArrayLike<number> | null;
+}
 
 /**
  * By part: 3 x its index, a unit normal for each corner, the area-weighted mean of the faces that meet there smoothly, across the
  * borders of parts too; null for parts that have normals.
  */
-export function creasedNormals(parts: readonly BuiltPart[]): (Float32Array | null)[] {
+export function creasedNormals(parts: readonly Part[]): (Float32Array | null)[] {
   const bare = parts.filter(({ normals }) => !normals);
   const corners = bare.reduce((sum, { index }) => sum + index.length, 0);
   if (corners === 0) return parts.map(() => null);

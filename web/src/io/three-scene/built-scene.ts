@@ -15,24 +15,17 @@ import {
 } from "three";
 
 import type { BuiltPart } from "../gltf/build";
+import type { Joint } from "../gltf/joints";
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 export interface SceneParts {
   readonly parts: BuiltPart[];
-  readonly joints: SceneJoint[];
+  readonly joints: Joint[];
   readonly skinned: boolean;
   readonly morphed: boolean;
   /** Lines and points, which are left out. */
   readonly others: number;
-}
-
-export interface SceneJoint {
-  readonly name: string;
-  /** Of `joints`, before this one; null for a root. */
-  readonly parent: number | null;
-  /** In the world. */
-  readonly position: readonly [number, number, number];
 }
 
 /** `materialOf` numbers a material; null for what is clay. What is hidden is left out, unless all is. */
@@ -174,8 +167,8 @@ function unit(c: number): number {
   return c >= 0 ? Math.min(c, 1) : 0;
 }
 
-function jointsOf(scene: Object3D): SceneJoint[] {
-  const joints: SceneJoint[] = [];
+function jointsOf(scene: Object3D): Joint[] {
+  const joints: Joint[] = [];
   const visit = (object: Object3D, parent: number | null): void => {
     let own = parent;
     if ("isBone" in object) {

@@ -3,14 +3,15 @@
 import { Group, type Object3D } from "three";
 
 import type { Built } from "../gltf/build";
+import type { Joint } from "../gltf/joints";
 import { count } from "../count";
 import { ModelError, type NamedFile } from "../named-file";
 import { PictureShelf } from "../picture-shelf";
-import { type SceneJoint, sceneParts } from "./built-scene";
+import { sceneParts } from "./built-scene";
 import { SceneMaterials } from "./scene-materials";
 
 export interface BuiltScene extends Built {
-  readonly joints: readonly SceneJoint[];
+  readonly joints: readonly Joint[];
 }
 
 export interface SceneSource {

@@ -13,19 +13,13 @@
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/motion/detail/acclaim_skeleton.h"
+#include "rigless/motion/detail/asf_words.h"
 #include "rigless/motion/detail/euler.h"
 #include "rigless/motion/detail/text_scanner.h"
 
-namespace rigless {
+namespace rigless::detail {
 
-// Sections in any order; what is unknown (limits, masses, comments) is skipped. Allocates in proportion to the text.
-// Errors: empty_input; not_this_format: no :root, :bonedata and :hierarchy, for example an AMC file; unexpected_end,
-// bad_number, bad_syntax, duplicate_joint, unknown_joint with their line; unsupported: more than 4096 bones.
-// `skeleton` then keeps what it had.
-Status parse_asf(std::string_view text, AcclaimSkeleton& skeleton);
-
-// ---------------------------------------------------------------------------------------------------------------------
-
+// Sections in any order; what is unknown (limits, masses, comments) is skipped.
 class AsfParser {
  public:
   explicit AsfParser(std::string_view text) : scanner_(text) {
@@ -43,9 +37,6 @@ class AsfParser {
     std::int32_t child;
     std::int32_t line;
   };
-
-  static bool read_channel(std::string_view word, AcclaimChannel& channel);
-  static bool read_order(std::string_view word, std::array<std::int32_t, 3>& order);
 
   bool in_section() {
     const std::string_view next = scanner_.peek();
@@ -74,25 +65,6 @@ class AsfParser {
   bool has_bones_ = false;
   bool has_hierarchy_ = false;
 };
-
-inline bool AsfParser::read_channel(std::string_view word, AcclaimChannel& channel) {
-  channel = {AcclaimChannel::Kind::length, 0};
-  if (same_word(word, "l")) return true;
-  if (word.size() != 2) return false;
-  const char kind = static_cast<char>(word[0] | 0x20);
-  channel.kind = kind == 'r' ? AcclaimChannel::Kind::rotation : AcclaimChannel::Kind::translation;
-  channel.axis = (word[1] | 0x20) - 'x';
-  return (kind == 'r' || kind == 't') && channel.axis >= 0 && channel.axis < 3;
-}
-
-inline bool AsfParser::read_order(std::string_view word, std::array<std::int32_t, 3>& order) {
-  if (word.size() != 3) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    order[k] = (word[k] | 0x20) - 'x';
-    if (order[k] < 0 || order[k] > 2) return false;
-  }
-  return true;
-}
 
 // "XYZ" turns about x first: C = Rz Ry Rx. The angles stand in the order x, y, z whatever the order is.
 inline Mat3<double> AsfParser::rotation(const Vec3<double>& angles, const std::array<std::int32_t, 3>& order) const {
@@ -126,12 +98,12 @@ inline Status AsfParser::read_root() {
     Status status;
     AcclaimChannel channel{};
     if (same_word(word, "order")) {
-      while (in_section() && read_channel(scanner_.peek(), channel)) {
+      while (in_section() && read_asf_channel(scanner_.peek(), channel)) {
         root.channels.push_back(channel);
         scanner_.word();
       }
     } else if (same_word(word, "axis")) {
-      if (!read_order(scanner_.word(), order)) status = scanner_.fail(Error::bad_syntax);
+      if (!read_asf_order(scanner_.word(), order)) status = scanner_.fail(Error::bad_syntax);
     } else if (same_word(word, "position")) {
       status = numbers(skeleton_.root_position);
     } else if (same_word(word, "orientation")) {
@@ -158,11 +130,11 @@ inline Status AsfParser::read_bone_entry(std::string_view word, AcclaimBone& bon
     Vec3<double> angles;
     std::array<std::int32_t, 3> order{};
     if (const Status status = numbers(angles); !status.ok()) return status;
-    if (!read_order(scanner_.word(), order)) return scanner_.fail(Error::bad_syntax);
+    if (!read_asf_order(scanner_.word(), order)) return scanner_.fail(Error::bad_syntax);
     bone.axis = rotation(angles, order);
   } else if (same_word(word, "dof")) {
     AcclaimChannel channel{};
-    while (in_section() && read_channel(scanner_.peek(), channel)) {
+    while (in_section() && read_asf_channel(scanner_.peek(), channel)) {
       bone.channels.push_back(channel);
       scanner_.word();
     }
@@ -257,11 +229,4 @@ inline Status AsfParser::parse() {
   return arrange();
 }
 
-inline Status parse_asf(std::string_view text, AcclaimSkeleton& skeleton) {
-  AsfParser parser(text);
-  if (const Status status = parser.parse(); !status.ok()) return status;
-  skeleton = std::move(parser.skeleton());
-  return {};
-}
-
-}  // namespace rigless
+}  // namespace rigless::detail
