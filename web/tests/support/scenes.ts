@@ -189,7 +189,8 @@ export function dae({ asset = "", primitives = TRIANGLES, libraries = "", nodes 
 <technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
 <param name="Z" type="float"/></accessor></technique_common></source>
 <source id="t"><float_array id="ta" count="8">0 0 1 0 0 .25 1 1</float_array>
-<technique_common><accessor source="#ta" count="4" stride="2"><param name="S" type="float"/><param name="T" type="float"/></accessor></technique_common></source>
+<technique_common><accessor source="#ta" count="4" stride="2">
+<param name="S" type="float"/><param name="T" type="float"/></accessor></technique_common></source>
 <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
 ${primitives}</mesh></geometry></library_geometries>
 <library_visual_scenes><visual_scene id="s">${nodes}</visual_scene></library_visual_scenes>
@@ -217,7 +218,8 @@ export const painted = (picture: string): string =>
 <library_materials><material id="mat" name="Fur"><instance_effect url="#e"/></material></library_materials>
 <library_effects><effect id="e"><profile_COMMON><newparam sid="sf"><surface type="2D"><init_from>i</init_from></surface></newparam>
 <newparam sid="sm"><sampler2D><source>sf</source></sampler2D></newparam>
-<technique sid="c"><lambert><diffuse><texture texture="sm" texcoord="UV"/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>`;
+<technique sid="c"><lambert><diffuse>
+<texture texture="sm" texcoord="UV"/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>`;
 
 /** A USD scene as text: a tetrahedron with a picture. */
 export const usda = (header = 'upAxis = "Y"', points = "[(0,0,0),(1,0,0),(0,1,0),(0,0,1)]", counts = "[3,3,3,3]"): string => `#usda 1.0

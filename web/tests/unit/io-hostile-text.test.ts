@@ -1,6 +1,6 @@
-// Text models that once took minutes or gigabytes: what is quadratic again runs into the runner's own time limit.
+// Text models that once took minutes or gigabytes: what is quadratic again runs into the time limit.
 
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 
 import { ModelError, type NamedFile } from "../../src/io/named-file";
 import { type Model, readModel } from "../../src/io/read-model";
@@ -22,6 +22,8 @@ async function outcome(name: string, content: string | Uint8Array): Promise<Mode
 const faces = (model: Model | string): number | string => (typeof model === "string" ? model : model.faces.length / 3);
 const CUT = "It may have been cut short: fetch or save it once more.";
 const lines = (n: number, line: (k: number) => string): string => Array.from({ length: n }, (_, k) => line(k)).join("\n");
+
+vi.setConfig({ testTimeout: 120_000 }); // minutes and gigabytes are told from a busy machine
 
 describe("grows with the file's size alone", () => {
   it.each([
@@ -160,4 +162,13 @@ it("lines are counted through every kind of end", () => {
     ["c", 4],
     ["e", 6],
   ]);
+});
+
+it("says how far it is from the first megabyte on", async () => {
+  const told: number[] = [];
+  const file = textFile("a.obj", TETRAHEDRON + lines(300_000, (k) => `# ${k}`) + "\n");
+  await readModel([file], { onProgress: (done) => told.push(done) });
+  expect(file.bytes.length).toBeGreaterThan(2 << 20);
+  expect(told.length).toBeGreaterThan(2);
+  expect(told.every((done, k) => done > (told[k - 1] ?? 0) && done < 1)).toBe(true);
 });
