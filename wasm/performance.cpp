@@ -83,21 +83,26 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
   plays[performance].mirror_normal = {x, y, z};
 }
 
-// pairs: C; rest: C x 3, the controls at rest; floor, height: of the mesh at rest; example_joints: N x J x 3 body-local
-// metres, NaN where unknown; example_controls: N x C x 3. The motion must stay until performance_progress() is 1.
+// pairs: C; rest: C x 3, the controls at rest; limbs: C x 4, of body_limbs(); floor, height: of the mesh at rest;
+// example_joints: N x J x 3 body-local metres, NaN where unknown; example_controls: N x C x 3. The motion must stay
+// until performance_progress() is 1.
 RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
-                                              const float* rest, std::int32_t controls, double floor, double height,
-                                              const float* example_joints, const float* example_controls,
-                                              std::int32_t examples, double smoothness, std::int32_t ground_contact,
-                                              std::int32_t in_place) {
+                                              const float* rest, const float* limbs, std::int32_t controls,
+                                              double floor, double height, const float* example_joints,
+                                              const float* example_controls, std::int32_t examples, double smoothness,
+                                              std::int32_t ground_contact, std::int32_t in_place) {
   const rigless::StagedMotion<double>& staged = motions[motion].staged;
   const std::vector<Vec3d> rest_controls = widen(rest, controls);
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
   const std::vector<Vec3d> places = widen(example_controls, examples * controls);
+  std::vector<rigless::ModelLimb<double>> model_limbs;
+  for (const auto& [x, y, z, length] : view<std::array<float, 4>>(limbs, controls))
+    model_limbs.push_back({rigless::Vec3<float>(x, y, z).cast<double>(), static_cast<double>(length)});
   rigless::PerformanceInput<double> input;
   input.motion = &staged;
   input.pairs = view<std::int32_t>(pairs, controls);
   input.rest = rest_controls;
+  input.limbs = model_limbs;
   input.floor = floor;
   input.height = height;
   input.examples = {joints, places};

@@ -72,12 +72,10 @@ RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, s
   return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0));
 }
 
-RIGLESS_EXPORT const float* body_positions(ObjectHandle body) {
-  return bodies[body].positions().data()->data();
-}
+RIGLESS_EXPORT const float* body_positions(ObjectHandle body) { return bodies[body].positions().data()->data(); }
 
-// The solid inside the mesh, when that is solved: N x 3 nodes at rest, E x 8 of them, V elements or -1; and N x 12, rows
-// of (B | b), how they carry the mesh as body_drag() left it.
+// The solid inside the mesh, when that is solved: N x 3 nodes at rest, E x 8 of them, V elements or -1; and N x 12,
+// rows of (B | b), how they carry the mesh as body_drag() left it.
 RIGLESS_EXPORT const SolidInfo* body_solid(ObjectHandle body) {
   const rigless::Solid<float>& solid = bodies[body].solid();
   return answer<SolidInfo>({.nodes = solid.nodes(), .elements = solid.elements(), .cell = solid.cell});
@@ -95,13 +93,21 @@ RIGLESS_EXPORT const std::int32_t* body_solid_element_of(ObjectHandle body) {
 
 RIGLESS_EXPORT const float* body_maps(ObjectHandle body) { return bodies[body].maps().data()->data(); }
 
-RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) {
-  return static_cast<double>(bodies[body].volume_ratio());
-}
+RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) { return static_cast<double>(bodies[body].volume_ratio()); }
 
 // C x 3, at rest
 RIGLESS_EXPORT const float* body_rest_controls(ObjectHandle body) {
   return bodies[body].rest_controls().data()->data();
+}
+
+// C x 4: where the limb at whose tip a control lies leaves the trunk, and its length from there. Kept until the next
+// call.
+RIGLESS_EXPORT const float* body_limbs(ObjectHandle body) {
+  static std::vector<std::array<float, 4>> limbs;
+  limbs.clear();
+  for (const auto& limb : bodies[body].limbs())
+    limbs.push_back({limb.base.x(), limb.base.y(), limb.base.z(), limb.length});
+  return limbs.data()->data();
 }
 
 RIGLESS_EXPORT ObjectHandle bake_new() { return bakes.add(); }

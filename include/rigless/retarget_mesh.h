@@ -198,10 +198,12 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   std::vector<Vec3<double>> resting;
   for (const Vec3<S>& p : made->body.rest_controls()) resting.push_back(p.template cast<double>());
   const detail::Bounds<S> box = detail::bounds(made->body.rest());
+  const std::vector<ModelLimb<double>> limbs = detail::model_limbs(made->body);
   PerformanceInput<double> play;
   play.motion = &motion;
   play.pairs = joints;
   play.rest = resting;
+  play.limbs = limbs;
   play.floor = static_cast<double>(box.low.y());
   play.height = static_cast<double>(box.height());
   play.examples = examples.view();

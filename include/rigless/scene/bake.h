@@ -103,9 +103,9 @@ class Bake {
   Body<S>* body_ = nullptr;
   const Performance<S>* performance_ = nullptr;
   S volume_ = 1;
-  std::vector<Vec3<S>> positions_;         // V
-  std::vector<detail::NodeMap<S>> maps_;   // N
-  std::vector<S> lowest_;                  // T: y of the lowest local vertex; NaN until it is known
+  std::vector<Vec3<S>> positions_;        // V
+  std::vector<detail::NodeMap<S>> maps_;  // N
+  std::vector<S> lowest_;                 // T: y of the lowest local vertex; NaN until it is known
   Root root_;
 };
 

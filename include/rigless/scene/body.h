@@ -4,11 +4,12 @@
 #include <limits>
 
 #include "rigless/deform/detail/solid_pieces.h"
+#include "rigless/mesh/detail/limb.h"
 #include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
-#include "rigless/scene/detail/node_maps.h"
 #include "rigless/scene/detail/drag.h"
+#include "rigless/scene/detail/node_maps.h"
 
 namespace rigless {
 
@@ -27,6 +28,8 @@ class Body {
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
+    held_.clear();
+    limbs_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
     volume_ = solve_ == Solve::solid ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
     return {};
@@ -36,7 +39,12 @@ class Body {
   Status set_controls(Span<const Control<S>> controls) {
     if (const Status status = hold(controls); !status.ok()) return status;
     controls_.clear();
-    for (const Control<S>& c : controls) controls_.push_back(nth(rest_, c.vertex));
+    held_.clear();
+    limbs_.clear();
+    for (const Control<S>& c : controls) {
+      controls_.push_back(nth(rest_, c.vertex));
+      held_.push_back(c.vertex);
+    }
     drag_.bind(deformer_);
     return {};
   }
@@ -57,6 +65,12 @@ class Body {
   void act(Span<const Vec3<S>> targets, S volume) {
     detail::deform_from_rest(deformer_, targets, volume);
     take_shape();
+  }
+
+  // C: the limb at whose tip each control lies; found when it is first asked for. Allocates.
+  Span<const detail::Limb<S>> limbs() {
+    if (limbs_.empty()) limbs_ = detail::find_limbs<S>(rest_, faces_, held_, detail::bounds<S>(rest_).height());
+    return limbs_;
   }
 
   // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
@@ -81,8 +95,8 @@ class Body {
     S lowest = std::numeric_limits<S>::max();
     if (solve_ == Solve::solid) {
       for (const std::int32_t v : outermost_)
-        lowest = std::min(lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v),
-                                                        transforms_.data()).y());
+        lowest = std::min(
+            lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v), transforms_.data()).y());
       return lowest;
     }
     for (const Vec3<S>& p : deformer_.positions()) lowest = std::min(lowest, p.y());
@@ -150,9 +164,11 @@ class Body {
     carried_is_new_ = false;
   }
 
-  std::vector<Vec3<S>> rest_;      // V
-  std::vector<Face> faces_;        // F
-  std::vector<Vec3<S>> controls_;  // C, at rest
+  std::vector<Vec3<S>> rest_;       // V
+  std::vector<Face> faces_;         // F
+  std::vector<Vec3<S>> controls_;   // C, at rest
+  std::vector<std::int32_t> held_;  // C, their vertices
+  std::vector<detail::Limb<S>> limbs_;
   MeshTopology topology_;
   S volume_ = 0;
   Solve solve_ = Solve::surface;

@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1280704104;
+export const ABI = 2137168926;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -287,6 +287,7 @@ export interface RiglessExports {
   body_maps(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;
   body_rest_controls(body: Handle): Pointer<Float32Array>;
+  body_limbs(body: Handle): Pointer<Float32Array>;
   bake_new(): Handle;
   bake_delete(bake: Handle): void;
   bake_begin(
@@ -328,6 +329,7 @@ export interface RiglessExports {
     motion: Handle,
     pairs: Pointer<Integers>,
     rest: Pointer<Float32Array>,
+    limbs: Pointer<Float32Array>,
     controls: number,
     floor: number,
     height: number,

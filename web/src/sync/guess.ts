@@ -18,10 +18,19 @@ export interface Guess {
   roles: NonNullable<ProjectDocument["joints"]>;
 }
 
-const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "foreleg", "foot", "chest", "hips", "tail", "tip"];
+const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "elbow", "foreleg", "foot", "knee", "chest", "hips", "tail", "tip"];
 
 /** The part of the human that moves a point. Others follow the whole pose. */
-const PART: Partial<Record<BodyPoint["role"], BodyPart>> = { head: "head", hand: "hand", foot: "foot", foreleg: "foot", hips: "hips" };
+const PART: Partial<Record<BodyPoint["role"], BodyPart>> = {
+  head: "head",
+  hand: "hand",
+  elbow: "lower_arm",
+  foot: "foot",
+  foreleg: "foot",
+  knee: "lower_leg",
+  chest: "chest",
+  hips: "hips",
+};
 
 /** These hold the trunk. */
 const TRUNK: ReadonlySet<BodyPoint["role"]> = new Set(["hips", "chest"]);

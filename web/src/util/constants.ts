@@ -48,7 +48,7 @@ export type LengthUnit = (typeof LENGTH_UNIT_NAMES)[number];
 export const UP_AXIS_NAMES = ["y", "z"] as const;
 export type UpAxis = (typeof UP_AXIS_NAMES)[number];
 
-export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest"] as const;
+export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest", "elbow", "knee"] as const;
 export type BodyRole = (typeof BODY_ROLE_NAMES)[number];
 
 export const BODY_PART_NAMES = [
