@@ -12,7 +12,13 @@ export default defineConfig({
     outDir: "dist-node",
     target: "es2022",
     rollupOptions: {
-      input: { rigless: "cli/main.ts", node: "src/package/node.ts", browser: "src/package/browser.ts", worker: "src/engine/worker.ts" },
+      input: {
+        rigless: "cli/main.ts",
+        node: "src/package/node.ts",
+        browser: "src/package/browser.ts",
+        worker: "src/engine/worker.ts",
+        "parse-thread": "cli/parse-thread.ts",
+      },
       // All in one folder: each finds the core beside itself.
       output: { entryFileNames: "[name].js", chunkFileNames: "[name]-[hash].js" },
     },

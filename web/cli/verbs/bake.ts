@@ -11,7 +11,6 @@ import { count } from "../../src/io/count";
 import type { Model } from "../../src/io/model";
 import type { Profile } from "../../src/io/profile";
 import { PROFILES } from "../../src/io/profiles";
-import { readModel } from "../../src/io/read-model";
 import { keptFrames } from "../../src/io/write-glb";
 import { serializeTrack, trackOf } from "../../src/io/write-track";
 import { bake } from "../../src/sync/bake";
@@ -20,6 +19,7 @@ import { guessProject } from "../../src/sync/guess";
 import { pairingFault, pairingNotes } from "../../src/sync/pairing";
 import { FileError, loadModelAndMotion, loadProject, OutputFiles } from "../files";
 import type { Progress } from "../progress";
+import { readModelInThread } from "../read-model";
 import { readArguments, UsageError } from "../verb";
 
 export const help = `  rigless bake <project> --out dance.glb [--track track.json] [--every K] [--anyway]
@@ -95,11 +95,10 @@ interface Opened {
   motion: MotionInput;
 }
 
-async function openProject(path: string, progress: Progress): Promise<Opened> {
+async function openProject(path: string, progress: Progress, signal: AbortSignal): Promise<Opened> {
   const { document, modelFiles, motion } = await loadProject(path);
   if (document.points.length === 0) throw new FileError(`${basename(path)}: points is empty; at least one is needed to dance.`);
-  progress.step("Reading the model");
-  const model = await readModel(modelFiles);
+  const model = await readModelInThread(modelFiles, reading(progress, signal));
   const vertices = model.positions.length / 3;
   if (document.points.length > vertices) {
     throw new FileError(
@@ -109,11 +108,16 @@ async function openProject(path: string, progress: Progress): Promise<Opened> {
   return { document, model, motion };
 }
 
+function reading(progress: Progress, signal: AbortSignal): { signal: AbortSignal; onProgress: (done: number) => void } {
+  const step = "Reading the model";
+  progress.step(step);
+  return { signal, onProgress: (done) => progress.step(step, done) };
+}
+
 /** A model and a motion without a project: what a project would say is guessed. */
 async function guessed(paths: readonly string[], binding: Binding, progress: Progress, signal: AbortSignal): Promise<Opened> {
   const { modelFiles, motion } = await loadModelAndMotion(paths);
-  progress.step("Reading the model");
-  const model = await readModel(modelFiles);
+  const model = await readModelInThread(modelFiles, reading(progress, signal));
   progress.step("Looking at the model");
   const { joints } = await binding.takeMotion(motion.input, () => ({ signal }));
   const said = await binding.engine.analyseShape({ positions: model.positions, faces: model.faces }, { signal });
@@ -138,7 +142,7 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
   try {
     const { document, model, motion } =
       command.inputs.length === 1
-        ? await openProject(command.inputs[0], progress)
+        ? await openProject(command.inputs[0], progress, signal)
         : await guessed(command.inputs, binding, progress, signal);
     const baked = await bake(
       binding,

@@ -150,7 +150,7 @@ export class Opening {
     const { openProject } = await import("../io/project-file");
     const opened = await openProject(dropped);
     const { sources } = this.openers;
-    const model = await this.ports.readModel(opened.modelFiles, { signal: job.signal });
+    const model = await this.ports.readModel(opened.modelFiles, reading(job));
     job.step(2);
     const files = sources.addMotion(opened.document.motion.files, opened.motion);
     const file = sources.addModel(opened.document.mesh.file, model, opened.modelFiles);
@@ -172,7 +172,7 @@ export class Opening {
     let opened: Model | null = null;
     await this.guarded(baseName(first.name), async () => {
       const beside = sorted.files.filter((file) => !sorted.models.includes(file));
-      const model = await this.ports.readModel([first, ...beside], { signal: job.signal });
+      const model = await this.ports.readModel([first, ...beside], reading(job));
       job.step(2);
       const file = sources.addModel(first.name, model, [first, ...beside]);
       const guess = await guesses.of(model);
@@ -266,4 +266,8 @@ export class Opening {
     const { cast } = this.openers;
     return cast.present ? `Your ${cast.presentName.toLowerCase()} is untouched.` : "Nothing is shown yet.";
   }
+}
+
+function reading({ signal, progress }: JobHandle): { signal: AbortSignal; onProgress: (done: number) => void } {
+  return { signal, onProgress: progress };
 }

@@ -62,7 +62,10 @@ export interface Ports {
   readonly clock: ClockPort;
   readonly createEngine: () => Engine;
   /** As io/read-model, wherever it runs. Errors: ModelError; on abort the signal's reason. */
-  readonly readModel: (files: readonly NamedFile[], options?: { signal?: AbortSignal }) => Promise<Model>;
+  readonly readModel: (
+    files: readonly NamedFile[],
+    options?: { signal?: AbortSignal; onProgress?: (done: number) => void },
+  ) => Promise<Model>;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;
 }

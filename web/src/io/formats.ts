@@ -1,29 +1,16 @@
 // Every kind of file that Rigless opens: one row each. File dialogs, drops, the command line, the readers and the sentences about
-// them read this table, and a test holds README and docs to it. A new format is a row here and a reader.
+// them read this table, and a test holds README and docs to it. A new format is a row here and a reader in
+// readers.ts.
 
 import type { MotionInput } from "../engine/types";
 import { type Content, type Format, type FormatKind, starts, wordList } from "./format";
-import type { GltfDocument } from "../gltf/document";
 import { decodeText, decodeUri, extension, type NamedFile } from "./named-file";
+import { fbxPictures, isArchiveStartingWith, isArchiveWith } from "./peek";
 import { PICTURES } from "./picture";
 
-/** What the reader of a model is given. */
-export interface ModelSource {
-  /** Without folders. */
-  readonly name: string;
-  readonly file: NamedFile;
-  /** The file's text; errors (ModelError): it is none. */
-  readonly text: () => string;
-  /** All files, the model's own among them. */
-  readonly files: readonly NamedFile[];
-  /** What was worked around, in plain words: the reader adds to it. */
-  readonly notes: string[];
-}
-
+/** Its reader is in readers.ts, which the page does not load. */
 export interface ModelFormat extends Format {
   readonly kind: "model";
-  /** Loads its reader, so that nobody loads those of other formats. */
-  readonly read: (source: ModelSource) => Promise<GltfDocument>;
 }
 
 export interface MotionSource {
@@ -55,7 +42,7 @@ function glbText(bytes: Uint8Array): string {
   return new TextDecoder().decode(bytes.subarray(20, 20 + size));
 }
 
-const MODELS: readonly ModelFormat[] = [
+const MODELS = [
   {
     id: "obj",
     kind: "model",
@@ -63,7 +50,6 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["obj"],
     mediaType: "model/obj",
     names: (text) => all(text, /^[ \t]*mtllib[ \t](.+)$/gm),
-    read: async ({ name, file, text, files, notes }) => (await import("./read-obj")).readObj(name, file.name, text(), files, notes),
   },
   {
     id: "off",
@@ -72,25 +58,9 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["off"],
     mediaType: "model/vnd.off",
     is: ({ head }) => /^\s*(ST)?C?N?4?n?OFF\b/.test(head),
-    read: async ({ name, text, notes }) => (await import("./read-off")).readOff(name, text(), notes),
   },
-  {
-    id: "ply",
-    kind: "model",
-    words: "PLY",
-    extensions: ["ply"],
-    mediaType: "model/ply",
-    is: ({ head }) => /^ply\s/.test(head),
-    read: async ({ name, file, notes }) => (await import("./read-ply")).readPly(name, file.bytes, notes),
-  },
-  {
-    id: "stl",
-    kind: "model",
-    words: "STL",
-    extensions: ["stl"],
-    mediaType: "model/stl",
-    read: async ({ name, file }) => (await import("./read-stl")).readStl(name, file.bytes),
-  },
+  { id: "ply", kind: "model", words: "PLY", extensions: ["ply"], mediaType: "model/ply", is: ({ head }) => /^ply\s/.test(head) },
+  { id: "stl", kind: "model", words: "STL", extensions: ["stl"], mediaType: "model/stl" },
   {
     id: "gltf",
     kind: "model",
@@ -98,20 +68,54 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["gltf"],
     mediaType: "model/gltf+json",
     names: gltfNames,
-    read: async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes),
   },
   {
     id: "glb",
     kind: "model",
     words: "GLB",
-    extensions: ["glb"],
+    extensions: ["glb", "vrm"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
-    names: gltfNames,
-    text: glbText,
-    read: async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes),
+    names: (_, bytes) => gltfNames(glbText(bytes)),
   },
-];
+  {
+    id: "fbx",
+    kind: "model",
+    words: "FBX",
+    extensions: ["fbx"],
+    mediaType: "application/octet-stream",
+    is: ({ head, text }) => head.startsWith("Kaydara FBX Binary") || /^(;.*\s+)*FBXHeaderExtension\b/.test(text),
+    names: (text, bytes) => [...all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g), ...fbxPictures(bytes)],
+  },
+  {
+    id: "dae",
+    kind: "model",
+    words: "DAE",
+    extensions: ["dae"],
+    mediaType: "model/vnd.collada+xml",
+    is: ({ text }) => /<COLLADA\b/.test(text.slice(0, 2048)),
+    names: (text) => all(text, /<init_from>([^<\r\n]+)<\/init_from>/g).map(decodeUri),
+  },
+  {
+    id: "3mf",
+    kind: "model",
+    words: "3MF",
+    extensions: ["3mf"],
+    mediaType: "model/3mf",
+    is: ({ bytes }) => isArchiveWith(bytes, /3D\/[^/]*\.model/),
+  },
+  {
+    id: "usd",
+    kind: "model",
+    words: "USDZ",
+    extensions: ["usdz", "usda", "usdc", "usd"],
+    mediaType: "model/vnd.usdz+zip",
+    is: ({ bytes, head }) => /^(#usda|PXR-USDC)/.test(head) || isArchiveStartingWith(bytes, /\.usd[ac]?$/i),
+    names: (text) => all(text, /@([^@\r\n]+\.(?:png|jpe?g|webp))@/gi),
+  },
+] as const satisfies readonly ModelFormat[];
+
+export type ModelId = (typeof MODELS)[number]["id"];
 
 const MOTIONS: readonly MotionFormat[] = [
   {
@@ -160,7 +164,7 @@ const OTHERS: readonly Format[] = [
     words: "MTL",
     extensions: ["mtl"],
     mediaType: "model/mtl",
-    names: (text) => all(text, /^[ \t]*map_Kd[ \t](.+)$/gm).map((words) => words.split(/\s+/).at(-1) ?? ""),
+    names: (text) => all(text, /^[ \t]*(?:map_\w+|bump|norm)[ \t](.+)$/gim).map((words) => words.split(/\s+/).at(-1) ?? ""),
   },
   { id: "bin", kind: "part", words: "BIN", extensions: ["bin"], mediaType: "application/octet-stream" },
 ];
@@ -183,7 +187,7 @@ export function formatNamed(path: string): Format | null {
   return FORMATS.find((format) => format.extensions.includes(extension(path))) ?? null;
 }
 
-export function modelFormat(file: NamedFile): ModelFormat | null {
+export function modelFormat(file: NamedFile): (typeof MODELS)[number] | null {
   const format = formatOf(file);
   return MODELS.find((known) => known === format) ?? null;
 }

@@ -8,8 +8,8 @@ export interface NamedFile {
 
 /** A model or a motion that cannot be read. `message` names the file and is made to be shown. */
 export class ModelError extends Error {
-  constructor(message: string) {
-    super(message);
+  constructor(message: string, options?: ErrorOptions) {
+    super(message, options);
     this.name = "ModelError";
   }
 }
@@ -69,3 +69,6 @@ export function decodeText(bytes: Uint8Array): string | null {
   if (odd * 20 > head.length) return null;
   return new TextDecoder("utf-8").decode(bytes);
 }
+
+/** What to do about a file that ends too early. */
+export const CUT_SHORT = "It may have been cut short: fetch or save it once more.";

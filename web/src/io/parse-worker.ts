@@ -4,8 +4,8 @@ import type { Model } from "./model";
 import type { NamedFile } from "./named-file";
 import { readModel } from "./read-model";
 
-/** What comes back: the model, or the message of a ModelError. */
-export type ParseAnswer = { model: Model } | { message: string };
+/** What comes back: how far it is, 0..1, and in the end the model, or the message of a ModelError. */
+export type ParseAnswer = { done: number } | { model: Model } | { message: string };
 
 interface WorkerScope {
   onmessage: ((event: MessageEvent<readonly NamedFile[]>) => void) | null;
@@ -15,7 +15,7 @@ interface WorkerScope {
 const scope = globalThis as unknown as WorkerScope;
 
 scope.onmessage = ({ data }) => {
-  readModel(data).then(
+  readModel(data, { onProgress: (done) => scope.postMessage({ done }, []) }).then(
     (model) => scope.postMessage({ model }, buffersOf(model)),
     (error: unknown) => scope.postMessage({ message: error instanceof Error ? error.message : String(error) }, []),
   );

@@ -34,3 +34,8 @@ export const PICTURES: readonly (Format & Required<Pick<Format, "is">>)[] = [
 export function pictureFormat(bytes: Uint8Array): Format | undefined {
   return PICTURES.find(({ is }) => is({ bytes, head: "", text: "" }));
 }
+
+/** Whether a picture's name says that it holds normals: formats that know bump maps alone name these there. */
+export function isNormalMap(name: string): boolean {
+  return /norm|nrm|[_.-]n(or)?(\.\w+)?$/i.test(name);
+}

@@ -1,12 +1,16 @@
 import { baseName, ModelError, type NamedFile } from "./named-file";
 import type { ParseAnswer } from "./parse-worker";
 import type { Model } from "./model";
+import type { ReadingOptions } from "./read-model";
 
 /**
  * readModel in a worker of its own, so that the page never freezes. The files stay the caller's.
  * Errors: ModelError as readModel; on abort the signal's reason, and the worker ends at once.
  */
-export function readModelInWorker(files: readonly NamedFile[], { signal }: { signal?: AbortSignal } = {}): Promise<Model> {
+export function readModelInWorker(
+  files: readonly NamedFile[],
+  { signal, onProgress }: { signal?: AbortSignal } & ReadingOptions = {},
+): Promise<Model> {
   return new Promise((resolve, reject) => {
     if (signal?.aborted) {
       reject(signal.reason);
@@ -33,6 +37,10 @@ export function readModelInWorker(files: readonly NamedFile[], { signal }: { sig
     worker.onerror = lost;
     worker.onmessageerror = lost;
     worker.onmessage = ({ data }: MessageEvent<ParseAnswer>) => {
+      if ("done" in data) {
+        onProgress?.(data.done);
+        return;
+      }
       end();
       if ("model" in data) resolve(data.model);
       else reject(new ModelError(data.message));

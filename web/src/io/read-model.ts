@@ -1,27 +1,37 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
-import { listed, type ModelFormat, modelFormat } from "./formats";
+import { modelFormat } from "./formats";
 import { type Model, modelOf } from "./model";
-import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
+import { baseName, ModelError, type NamedFile } from "./named-file";
+import { READERS } from "./readers";
+import { noModel } from "./refused";
 
 export type { Model } from "./model";
+
+export interface ReadingOptions {
+  /** 0..1, now and then. */
+  readonly onProgress?: (done: number) => void;
+}
+
+/** Of the whole, what the format's reader takes. */
+const READING = 0.7;
 
 /**
  * Reads the first of `files` that is a model; the others may be its material, picture and .bin files.
  * Errors (ModelError): no model among them, an empty file, and whatever the format's reader finds wrong; the message names the file.
  */
-export async function readModel(files: readonly NamedFile[]): Promise<Model> {
+export async function readModel(files: readonly NamedFile[], { onProgress }: ReadingOptions = {}): Promise<Model> {
   const [file, format] = firstModel(files);
   if (!file || !format) {
-    const names = files.map((other) => baseName(other.name)).join(", ");
-    throw new ModelError(`${names || "Nothing"} is not a model that we read (${listed("model")}).`);
+    throw new ModelError(noModel(files.map((other) => other.name)));
   }
   const name = baseName(file.name);
   if (file.bytes.length === 0) throw new ModelError(`${name} is empty.`);
   try {
     const notes: string[] = [];
-    const text = (): string => textOf(name, file.bytes, format.words);
-    return modelOf(name, await format.read({ name, file, text, files, notes }), notes);
+    const document = await READERS[format.id]({ name, file, files, notes, onProgress: (done) => onProgress?.(READING * done) });
+    onProgress?.(READING);
+    return modelOf(name, document, notes);
   } catch (error) {
     if (error instanceof ModelError) throw error;
     const why = error instanceof Error ? error.message : String(error);
@@ -29,16 +39,10 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   }
 }
 
-function firstModel(files: readonly NamedFile[]): [NamedFile, ModelFormat] | [] {
+function firstModel(files: readonly NamedFile[]): [NamedFile, NonNullable<ReturnType<typeof modelFormat>>] | [] {
   for (const file of files) {
     const format = modelFormat(file);
     if (format) return [file, format];
   }
   return [];
-}
-
-function textOf(name: string, bytes: Uint8Array, kind: string): string {
-  const text = decodeText(bytes);
-  if (text === null) throw new ModelError(`${name} is not text, so it is no ${kind} model.`);
-  return text;
 }

@@ -1,195 +1,215 @@
-// OBJ by three's OBJLoader. The loader leaves out what it cannot read without a word, and a line element turns the faces of
-// its object into lines, so the text is looked through first: errors name the line, and only what makes faces goes on.
+// OBJ. Ours, because three's OBJLoader leaves out what it cannot read without a word, turns an object with a line into lines and
+// takes the square of a file's objects.
 
-import { type Material, Mesh, type MeshPhongMaterial } from "three";
-import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
-
-import type { GltfDocument, GltfMaterial } from "../gltf/document";
-import { linear } from "./color";
+import type { GltfMaterial } from "../gltf/document";
+import { linearColors } from "./color";
+import { CornerTable } from "./corner-table";
 import { count } from "./count";
-import { type BuiltPart, type BuiltPicture, buildDocument } from "./gltf/build";
-import { baseName, findFile, ModelError, type NamedFile } from "./named-file";
-import { namedPicture } from "./take-picture";
+import type { Built, BuiltPart } from "./gltf/build";
+import { findFile, ModelError, type NamedFile } from "./named-file";
+import { PictureShelf } from "./picture-shelf";
+import { readMtl } from "./read-mtl";
+import { shortened, TextScanner } from "./text-scanner";
+import { addPolygon } from "./triangulate";
+
+/** Objects keep their names, which say what they are, up to this many: each is drawn for itself. */
+const MOST_OBJECTS = 200;
 
 /** Errors (ModelError) name the line: a coordinate that is no number, a face index without its vertex. */
-export function readObj(name: string, path: string, text: string, files: readonly NamedFile[], notes: string[]): GltfDocument {
-  const lookedThrough = lookThrough(name, text);
-  if (lookedThrough.loose > 0) notes.push(`Left out ${count(lookedThrough.loose, "loose point")} that no face uses.`);
-  const library = new Map<string, Mtl>();
-  for (const named of lookedThrough.libraries) {
-    const file = findFile(files, named, path);
-    if (file) readMtl(new TextDecoder().decode(file.bytes)).forEach((mtl, key) => library.set(key, mtl));
+export function readObj(
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
+  onProgress?: (done: number) => void,
+): Built {
+  const obj = new ObjFile(name, new TextScanner(name, file.bytes, "OBJ", onProgress));
+  obj.read();
+  const loose = obj.loose();
+  if (loose > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
+  const shelf = new PictureShelf(files, file.name, notes);
+  const known = new Map<string, GltfMaterial>();
+  for (const library of obj.libraries) {
+    const beside = findFile(files, library, file.name);
+    if (beside) readMtl(new TextDecoder().decode(beside.bytes), shelf).forEach((material, key) => known.set(key, material));
   }
+  shelf.close();
   const materials: GltfMaterial[] = [];
-  const pictures: BuiltPicture[] = [];
-  const numbers = new Map<string, number>();
-  const materialOf = (key: string): number | undefined => {
-    const mtl = library.get(key);
-    if (!mtl) return undefined;
-    const known = numbers.get(key) ?? materials.push(dressed(key, mtl, (picture) => addPicture(pictures, picture, files, path, notes))) - 1;
-    numbers.set(key, known);
-    return known;
+  const rank = new Map<string, number>();
+  const indexOf = (material: string): number | undefined => {
+    const found = known.get(material);
+    if (found && !rank.has(material)) rank.set(material, materials.push(found) - 1);
+    return rank.get(material);
   };
+  return { parts: obj.parts(indexOf), materials, pictures: shelf.pictures };
+}
 
-  const parts: BuiltPart[] = [];
-  new OBJLoader().parse(lookedThrough.text).traverse((object) => {
-    if (!(object instanceof Mesh)) return;
-    const { position, color, uv, normal } = object.geometry.attributes;
-    const arrays = {
-      positions: position.array,
-      normals: lookedThrough.normals ? normal.array : null,
-      colors: color ? color.array : null,
-      uvs: uv ? [Float32Array.from(uv.array as Float32Array, (x, i) => (i % 2 ? 1 - x : x))] : [],
-    };
-    for (const { material, start, size } of groups(object)) {
-      const index = Uint32Array.from({ length: size }, (_, i) => start + i);
-      const number = materialOf(material);
-      parts.push({ name: object.name, index, ...arrays, ...(number !== undefined && { material: number }) });
+/** Faces of one object and material in a row. */
+interface Run {
+  readonly object: string;
+  readonly material: string;
+  /** Of the index. */
+  readonly from: number;
+}
+
+class ObjFile {
+  readonly libraries = new Set<string>();
+  private readonly positions: number[] = [];
+  /** As the file has them, x 3. */
+  private readonly colors: number[] = [];
+  private readonly uvs: number[] = [];
+  private readonly normals: number[] = [];
+  /** Vertex, place in the picture and normal; -1 for none. */
+  private readonly corners = new CornerTable();
+  /** Triangles over corners. */
+  private readonly index: number[] = [];
+  private readonly runs: Run[] = [];
+  private faces = 0;
+  private object = "";
+  private material = "";
+
+  constructor(
+    private readonly name: string,
+    private readonly text: TextScanner,
+  ) {}
+
+  read(): void {
+    const { text } = this;
+    while (text.nextLine()) {
+      text.next();
+      if (text.is("v")) this.vertex();
+      else if (text.is("vt")) this.row(this.uvs, 2, "a place in a picture needs two numbers");
+      else if (text.is("vn")) this.row(this.normals, 3, "a normal needs three numbers");
+      else if (text.is("f") || text.is("fo")) this.face();
+      else if (text.is("usemtl")) this.material = text.rest();
+      else if (text.is("o") || text.is("g")) this.object = text.rest();
+      else if (text.is("mtllib")) this.libraries.add(text.rest());
     }
-  });
-  return buildDocument(name, { parts, materials, pictures });
-}
+    if (this.faces > 0) return;
+    const vertices = this.positions.length / 3;
+    throw new ModelError(
+      vertices ? `${this.name} has ${count(vertices, "point")} but no faces: save it as a mesh.` : `${this.name} holds no OBJ model.`,
+    );
+  }
 
-function addPicture(pictures: BuiltPicture[], named: string, files: readonly NamedFile[], path: string, notes: string[]): number {
-  const known = pictures.findIndex(({ name }) => name === baseName(named));
-  return known < 0 ? pictures.push(namedPicture(named, files, path, notes)) - 1 : known;
-}
+  loose(): number {
+    const used = new Uint8Array(this.positions.length / 3);
+    for (const vertex of this.corners.column(0)) used[vertex] = 1;
+    return used.reduce((sum, is) => sum + 1 - is, 0);
+  }
 
-/** A matt material with what the MTL says of it; both sides show, for nobody knows how the faces are wound. */
-function dressed(name: string, mtl: Mtl, pictureOf: (name: string) => number): GltfMaterial {
-  const [r, g, b] = mtl.picture === null && mtl.color ? mtl.color : [1, 1, 1];
-  const { emission } = mtl;
-  return {
-    name,
-    pbrMetallicRoughness: {
-      baseColorFactor: [r, g, b, mtl.alpha],
-      ...(mtl.picture !== null && { baseColorTexture: { index: pictureOf(mtl.picture) } }),
-      metallicFactor: mtl.metal,
-      roughnessFactor: mtl.roughness,
-    },
-    ...(mtl.normals !== null && { normalTexture: { index: pictureOf(mtl.normals) } }),
-    ...(mtl.glow !== null && { emissiveTexture: { index: pictureOf(mtl.glow) } }),
-    ...((emission ?? mtl.glow) !== null && { emissiveFactor: emission ?? [1, 1, 1] }),
-    ...(mtl.alpha < 1 ? { alphaMode: "BLEND" } : mtl.cut ? { alphaMode: "MASK" } : {}),
-    doubleSided: true,
-  };
-}
+  parts(materialOf: (material: string) => number | undefined): BuiltPart[] {
+    const [vertex, place, normal] = ([0, 1, 2] as const).map((which) => this.corners.column(which));
+    const positions = gather(this.positions, vertex, 3, new Float64Array(3 * vertex.length));
+    const uvs = this.uvs.length > 0 ? [flipped(gather(this.uvs, place, 2, new Float32Array(2 * place.length)))] : [];
+    // Where one face has no normals, all are computed: nothing tells what the others would look like beside it.
+    const whole = this.normals.length > 0 && !normal.includes(-1);
+    const normals = whole ? gather(this.normals, normal, 3, new Float32Array(3 * normal.length)) : null;
+    const colored = this.colors.length > 0 && this.colors.length === this.positions.length;
+    const colors = colored ? gather(linearColors(this.colors), vertex, 3, new Float32Array(3 * vertex.length)) : null;
+    const shared = { positions, normals, colors, uvs };
+    return this.groups(materialOf).map(({ name, material, index }) => ({
+      ...shared,
+      ...(name !== "" && { name }),
+      ...(material !== undefined && { material }),
+      index,
+    }));
+  }
 
-function groups(mesh: Mesh): { material: string; start: number; size: number }[] {
-  const all = mesh.geometry.attributes.position.count;
-  const list: Material[] = Array.isArray(mesh.material) ? mesh.material : [mesh.material as MeshPhongMaterial];
-  if (list.length === 1) return [{ material: list[0].name, start: 0, size: all }];
-  return mesh.geometry.groups.map((g) => ({ material: list[g.materialIndex ?? 0].name, start: g.start, size: g.count }));
-}
+  /** Runs of one object and one material together. */
+  private groups(materialOf: (material: string) => number | undefined): { name: string; material: number | undefined; index: number[] }[] {
+    const named = new Set(this.runs.map(({ object }) => object)).size <= MOST_OBJECTS;
+    const groups = new Map<string, { name: string; material: number | undefined; index: number[] }>();
+    this.runs.forEach(({ object, material: called, from }, r) => {
+      const material = materialOf(called);
+      const name = named ? object : "";
+      const key = JSON.stringify([name, material]);
+      const group = groups.get(key) ?? { name, material, index: [] };
+      groups.set(key, group);
+      const to = this.runs[r + 1]?.from ?? this.index.length;
+      for (let k = from; k < to; k++) group.index.push(this.index[k]);
+    });
+    const order = [...new Set([...groups.values()].map(({ name }) => name))];
+    const rank = new Map(order.map((name, k) => [name, k]));
+    return [...groups.values()].sort((a, b) => (rank.get(a.name) ?? 0) - (rank.get(b.name) ?? 0));
+  }
 
-interface LookedThrough {
-  /** What the loader is to read. */
-  text: string;
-  libraries: string[];
-  /** Vertices that no face uses. */
-  loose: number;
-  /** Every corner of a face names one. */
-  normals: boolean;
-}
+  private vertex(): void {
+    const { text } = this;
+    this.row(this.positions, 3, "a vertex needs three numbers");
+    const more: number[] = [];
+    while (more.length < 4 && text.next()) more.push(text.number());
+    // r g b, perhaps a; one alone is a weight.
+    const rgb = more.slice(0, 3);
+    if (rgb.length === 3 && rgb.every(Number.isFinite)) this.colors.push(...rgb);
+  }
 
-function lookThrough(name: string, text: string): LookedThrough {
-  const lines = text.split(/\r\n|\r|\n/);
-  const error = (at: number, what: string): ModelError => new ModelError(`${name}, line ${at + 1}: ${what}.`);
-  const kept: string[] = [];
-  const libraries: string[] = [];
-  let faces = 0;
-  let normals = true;
-  const used: boolean[] = [];
-  for (let at = 0; at < lines.length; at++) {
-    let line = lines[at].trim();
-    const first = at;
-    while (line.endsWith("\\") && at + 1 < lines.length) line = line.slice(0, -1) + " " + lines[++at].trim();
-    const space = line.search(/\s/);
-    const key = space < 0 ? line : line.slice(0, space);
-    if (key === "v") {
-      const row = line.split(/\s+/);
-      for (let k = 1; k < 4; k++) {
-        if (row[k] === undefined) throw error(first, "a vertex needs three numbers");
-        if (!Number.isFinite(Math.fround(Number(row[k])))) throw error(first, `"${row[k].slice(0, 20)}" is not a number`);
-      }
-      used.push(false);
-    } else if (key === "f") {
-      const row = line.split(/\s+/);
-      if (row.length < 4) throw error(first, "a face needs three corners");
-      for (let k = 1; k < row.length; k++) {
-        const i = Number(row[k].split("/", 1)[0]);
-        const v = i < 0 ? used.length + i : i - 1;
-        if (!Number.isInteger(i) || i === 0) throw error(first, `"${row[k].slice(0, 20)}" names no vertex`);
-        if (v < 0 || v >= used.length) {
-          throw error(
-            first,
-            `a face names vertex ${i}, but there ${used.length === 1 ? "is" : "are"} ${count(used.length, "vertex", "vertices")} above it`,
-          );
+  private row(out: number[], width: number, missing: string): void {
+    const { text } = this;
+    for (let k = 0; k < width; k++) {
+      if (!text.next()) {
+        // A place on a line of a picture has one number.
+        if (out === this.uvs && k === 1) {
+          out.push(0);
+          return;
         }
-        used[v] = true;
-        normals &&= /^[^/]*\/[^/]*\/./.test(row[k]);
+        throw text.error(missing);
       }
-      faces++;
-    } else if (key === "mtllib") {
-      libraries.push(line.slice(space).trim());
-      continue;
-    } else if (key !== "vt" && key !== "vn" && key !== "usemtl" && key !== "o" && key !== "g") {
-      continue;
+      const x = text.number();
+      if (!Number.isFinite(x) || !Number.isFinite(Math.fround(x))) throw text.noNumber();
+      out.push(x);
     }
-    kept.push(line);
   }
-  if (faces === 0) {
-    throw new ModelError(used.length ? `${name} has ${count(used.length, "point")} but no faces.` : `${name} holds no OBJ model.`);
+
+  private face(): void {
+    const { text } = this;
+    const loop: number[] = [];
+    const vertices: number[] = [];
+    const parts = new Float64Array(3);
+    while (text.next()) {
+      parts.fill(0);
+      text.indices(parts);
+      const v = this.vertexOf(parts[0]);
+      const vt = within(parts[1], this.uvs.length / 2);
+      const vn = within(parts[2], this.normals.length / 3);
+      vertices.push(v);
+      loop.push(this.corners.put(v, vt, vn));
+    }
+    if (loop.length < 3) throw text.error("a face needs three corners");
+    const last = this.runs.at(-1);
+    if (!last || last.object !== this.object || last.material !== this.material) {
+      this.runs.push({ object: this.object, material: this.material, from: this.index.length });
+    }
+    addPolygon(this.index, loop, vertices, this.positions);
+    this.faces++;
   }
-  return { text: kept.join("\n"), libraries, normals, loose: used.reduce((sum, is) => sum + (is ? 0 : 1), 0) };
+
+  private vertexOf(i: number): number {
+    const { text } = this;
+    const n = this.positions.length / 3;
+    if (!Number.isInteger(i) || i === 0) throw text.error(`"${shortened(text.word())}" names no vertex`);
+    const v = i < 0 ? n + i : i - 1;
+    if (v >= 0 && v < n) return v;
+    throw text.error(`a face names vertex ${i}, but there ${n === 1 ? "is" : "are"} ${count(n, "vertex", "vertices")} above it`);
+  }
 }
 
-interface Mtl {
-  /** Linear RGB. */
-  color: number[] | null;
-  picture: string | null;
-  alpha: number;
-  /** A picture says where it is cut out. */
-  cut: boolean;
-  metal: number;
-  roughness: number;
-  normals: string | null;
-  /** Linear RGB. */
-  emission: number[] | null;
-  glow: string | null;
+/** The row of a face's index, which counts from 1 or from the end; -1 for none or one that is not there. */
+function within(i: number, n: number): number {
+  const row = i < 0 ? n + i : i - 1;
+  return Number.isInteger(row) && row >= 0 && row < n ? row : -1;
 }
 
-const PLAIN: Mtl = {
-  ...{ color: null, picture: null, alpha: 1, cut: false, metal: 0, roughness: 0.8 },
-  ...{ normals: null, emission: null, glow: null },
-};
-
-function readMtl(text: string): Map<string, Mtl> {
-  const materials = new Map<string, Mtl>();
-  let mtl: Mtl = { ...PLAIN };
-  for (const raw of text.split(/\r\n|\r|\n/)) {
-    const line = raw.trim();
-    const [key, ...rest] = line.split(/\s+/);
-    const numbers = rest.map(Number);
-    const one = Number.isFinite(numbers[0]) ? Math.min(1, Math.max(0, numbers[0])) : null;
-    const color = numbers.length >= 3 && numbers.slice(0, 3).every(Number.isFinite) ? numbers.slice(0, 3).map(linear) : null;
-    if (key === "newmtl") materials.set(line.slice(6).trim(), (mtl = { ...PLAIN }));
-    if (key === "Kd" && color) mtl.color = color;
-    if (key === "Ke" && color?.some((c) => c > 0)) mtl.emission = color;
-    // Exporters disagree on what Tr counts; a model that nobody sees is not meant.
-    if (key === "d" && one) mtl.alpha = one;
-    if (key === "Tr" && one !== null && one < 1) mtl.alpha = 1 - one;
-    if (key === "Pm" && one !== null) mtl.metal = one;
-    if (key === "Pr" && one !== null) mtl.roughness = one;
-    if (key === "map_Kd") mtl.picture = pictureName(line);
-    if (key === "map_Ke") mtl.glow = pictureName(line);
-    if (key === "map_d") mtl.cut = true;
-    if (key === "norm") mtl.normals = pictureName(line);
+/** Rows of `values`; zeros for row -1. */
+function gather<T extends Float32Array | Float64Array>(values: ArrayLike<number>, rows: Int32Array, width: number, out: T): T {
+  for (let r = 0; r < rows.length; r++) {
+    if (rows[r] >= 0) for (let k = 0; k < width; k++) out[width * r + k] = values[width * rows[r] + k];
   }
-  return materials;
+  return out;
 }
 
-/** Options such as "-s 1 1 1" stand before the name. */
-function pictureName(line: string): string {
-  return line.replace(/^\w+\s+(-\w+(\s+(-?[\d.]+|on|off))*\s+)*/, "");
+/** v down, as in glTF. */
+function flipped(uvs: Float32Array): Float32Array {
+  for (let k = 1; k < uvs.length; k += 2) uvs[k] = 1 - uvs[k];
+  return uvs;
 }

@@ -1,95 +1,92 @@
 // OFF, COFF, NOFF, STOFF and their mixtures: a header, V E F, vertices, polygons. three.js has no loader for it.
 
-import type { GltfDocument } from "../gltf/document";
+import { linearColors } from "./color";
 import { count } from "./count";
-import { buildDocument } from "./gltf/build";
-import { ModelError } from "./named-file";
-import { linear } from "./color";
+import type { Built } from "./gltf/build";
+import { CUT_SHORT, ModelError, type NamedFile } from "./named-file";
+import { shortened, TextScanner } from "./text-scanner";
+import { addPolygon } from "./triangulate";
 
-/** Reads an ASCII OFF. Polygons become fans. Errors (ModelError) name the line. */
-export function readOff(name: string, text: string, notes: string[]): GltfDocument {
-  const lines = new Lines(name, text);
-  const header = /^(ST)?(C)?(N)?(4)?(n)?OFF\b\s*(BINARY)?/.exec(lines.next("its header").join(" "));
-  if (!header) throw new ModelError(`${name} does not begin with OFF.`);
-  const [first, st, colored, normals, four, n, binary] = header;
-  if (four || n) throw new ModelError(`${name} is not three-dimensional (${first.trim()}).`);
-  if (binary) throw new ModelError(`${name} is a binary OFF. Save it as text.`);
-
-  // The counts may stand on the header's line.
-  let counts = lines.present.slice(1);
-  if (counts.length === 0) counts = lines.next("its counts");
-  const [vertices, faces] = [lines.whole(counts[0]), lines.whole(counts[1])];
-  if (vertices > text.length || faces > text.length) {
-    throw new ModelError(`${name} promises ${count(vertices, "vertex", "vertices")} and ${count(faces, "face")}, more than it can hold.`);
+/** Reads an ASCII OFF. Errors (ModelError) name the line. */
+export function readOff(name: string, { bytes }: NamedFile, notes: string[], onProgress?: (done: number) => void): Built {
+  const text = new TextScanner(name, bytes, "OFF", onProgress);
+  const { colored, normals, textured } = readHeader(name, text);
+  const [vertices, faces] = [whole(name, text, "its counts"), whole(name, text, "its counts")];
+  // A vertex has three numbers and a face one, with something between them.
+  if (5 * vertices > bytes.length || 2 * faces > bytes.length) {
+    throw new ModelError(
+      `${name} promises ${count(vertices, "vertex", "vertices")} and ${count(faces, "face")}, more than fit in it. ${CUT_SHORT}`,
+    );
   }
 
   const positions = new Float64Array(3 * vertices);
-  const skip = 3 + (normals ? 3 : 0);
   const colors: number[] = [];
+  const skip = normals ? 3 : 0;
   for (let v = 0; v < vertices; v++) {
-    const row = lines.next(`vertex ${v + 1} of ${vertices}`);
-    for (let k = 0; k < 3; k++) positions[3 * v + k] = lines.number(row[k]);
-    const rgb = row.slice(skip, skip + 3);
-    if ((colored || (!st && row.length > skip)) && rgb.length === 3) colors.push(...rgb.map(Number));
+    if (!text.nextLine()) throw endsBefore(name, `vertex ${v + 1} of ${vertices}`);
+    for (let k = 0; k < 3; k++) positions[3 * v + k] = number(text);
+    const more: number[] = [];
+    while (more.length < skip + 3 && text.next()) more.push(text.number());
+    if ((colored || !textured) && more.length === skip + 3) for (let k = skip; k < skip + 3; k++) colors.push(more[k]);
   }
 
   const index: number[] = [];
+  const used = new Uint8Array(vertices);
+  let loop: number[] = [];
   for (let f = 0; f < faces; f++) {
-    const row = lines.next(`face ${f + 1} of ${faces}`);
-    const corners = lines.whole(row[0]);
-    if (row.length <= corners) throw lines.error(`a face of ${corners} corners names only ${row.length - 1}`);
-    const loop = row.slice(1, corners + 1).map((token) => {
-      const v = lines.whole(token);
-      if (v >= vertices) throw lines.error(`a face names vertex ${v}, but the last one is ${vertices - 1}`);
-      return v;
-    });
-    for (let k = 1; k + 1 < loop.length; k++) index.push(loop[0], loop[k], loop[k + 1]);
-  }
-  const loose = vertices - new Set(index).size;
-  if (loose > 0 && index.length > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
-  return buildDocument(name, { parts: [{ positions, index, colors: colors.length === 3 * vertices ? toLinear(colors) : null }] });
-}
-
-/** Bytes or fractions of sRGB. */
-function toLinear(colors: number[]): Float32Array {
-  const scale = colors.some((c) => c > 1) ? 1 / 255 : 1;
-  return Float32Array.from(colors, (c) => linear(c * scale));
-}
-
-/** Rows of tokens without comments and empty lines; remembers where it is. */
-class Lines {
-  present: string[] = [];
-  private readonly lines: string[];
-  private at = 0;
-
-  constructor(
-    private readonly name: string,
-    text: string,
-  ) {
-    this.lines = text.split(/\r\n|\r|\n/);
-  }
-
-  next(what: string): string[] {
-    while (this.at < this.lines.length) {
-      const line = this.lines[this.at++].replace(/#.*/, "").trim();
-      if (line !== "") return (this.present = line.split(/\s+/));
+    if (!text.nextLine()) throw endsBefore(name, `face ${f + 1} of ${faces}`);
+    const corners = whole(name, text, "a face");
+    loop = [];
+    // A long face may go on in the next line.
+    while (loop.length < corners && text.nextAnywhere()) {
+      const v = wholeWord(text);
+      if (v >= vertices) throw text.error(`a face names vertex ${v}, but the last one is ${vertices - 1}`);
+      used[v] = 1;
+      loop.push(v);
     }
-    throw new ModelError(`${this.name} ends before ${what}.`);
+    if (loop.length < corners) throw text.error(`a face of ${corners} corners names only ${loop.length}`);
+    addPolygon(index, loop, loop, positions);
   }
+  const loose = used.reduce((sum, is) => sum + 1 - is, 0);
+  if (index.length === 0 && vertices > 0)
+    throw new ModelError(`${name} has no triangles: it holds ${count(vertices, "point")} alone. Save it as a mesh.`);
+  if (loose > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
+  return { parts: [{ positions, index, colors: colors.length === 3 * vertices ? linearColors(colors) : null }] };
+}
 
-  number(token: string | undefined): number {
-    const x = token === undefined ? NaN : Number(token);
-    if (Number.isFinite(x)) return x;
-    throw this.error(token === undefined ? "a number is missing" : `"${token.slice(0, 20)}" is not a number`);
-  }
+function readHeader(name: string, text: TextScanner): { colored: boolean; normals: boolean; textured: boolean } {
+  if (!text.nextLine()) throw new ModelError(`${name} holds nothing but blanks.`);
+  text.next();
+  const header = /^(ST)?(C)?(N)?(4)?(n)?OFF$/.exec(text.word());
+  if (!header) throw new ModelError(`${name} does not begin with OFF.`);
+  const [first, st, c, normals, four, n] = header;
+  if (four || n) throw new ModelError(`${name} is not three-dimensional (${first}).`);
+  // The counts may stand on the header's line.
+  if (!text.next() && !(text.nextLine() && text.next())) throw endsBefore(name, "its counts");
+  if (text.is("binary", true)) throw new ModelError(`${name} is a binary OFF. Save it as text.`);
+  text.again();
+  return { colored: c !== undefined, normals: normals !== undefined, textured: st !== undefined };
+}
 
-  whole(token: string | undefined): number {
-    const x = this.number(token);
-    if (Number.isInteger(x) && x >= 0) return x;
-    throw this.error(`${x} should be a whole number from 0`);
-  }
+function endsBefore(name: string, what: string): ModelError {
+  return new ModelError(`${name} ends before ${what}. ${CUT_SHORT}`);
+}
 
-  error(what: string): ModelError {
-    return new ModelError(`${this.name}, line ${this.at}: ${what}.`);
-  }
+function number(text: TextScanner): number {
+  if (!text.next()) throw text.error("a number is missing");
+  const x = text.number();
+  if (!Number.isFinite(x)) throw text.noNumber();
+  return x;
+}
+
+function whole(name: string, text: TextScanner, what: string): number {
+  if (!text.next()) throw text.line ? text.error("a number is missing") : endsBefore(name, what);
+  return wholeWord(text);
+}
+
+function wholeWord(text: TextScanner): number {
+  const x = text.number();
+  if (Number.isNaN(x)) throw text.noNumber();
+  if (!Number.isInteger(x) || x < 0) throw text.error(`${shortened(text.word())} should be a whole number from 0`);
+  return x;
 }

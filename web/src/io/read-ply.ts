@@ -1,183 +1,221 @@
-// PLY, text and binary. Ours, because three's PLYLoader leaves out faces of more than four corners without a word.
+// PLY, text and binary. Ours, because three's PLYLoader leaves out faces of more than four corners, and strips, without a word.
 
-import { linear } from "./color";
-import type { GltfDocument } from "../gltf/document";
+import type { GltfMaterial } from "../gltf/document";
+import { linearColors } from "./color";
+import { CornerTable } from "./corner-table";
 import { count } from "./count";
-import { buildDocument } from "./gltf/build";
-import { ModelError } from "./named-file";
+import type { Built } from "./gltf/build";
+import { ModelError, type NamedFile } from "./named-file";
+import { PictureShelf } from "./picture-shelf";
+import { type Element, endsEarly, readHeader, type Reader, type Scalar, valuesOf } from "./ply-file";
+import { addPolygon } from "./triangulate";
 
-type Scalar = "int8" | "uint8" | "int16" | "uint16" | "int32" | "uint32" | "float32" | "float64";
-
-interface Property {
-  name: string;
-  type: Scalar;
-  /** Type of a list's length; null for a plain property. */
-  length: Scalar | null;
+/** Errors (ModelError): a header that makes no sense; a file that ends early; a vertex that is not there. */
+export function readPly(
+  name: string,
+  file: NamedFile,
+  files: readonly NamedFile[],
+  notes: string[],
+  onProgress?: (done: number) => void,
+): Built {
+  const header = readHeader(name, file.bytes);
+  const mesh = new PlyMesh(name, valuesOf(name, file.bytes, header, onProgress));
+  for (const element of header.elements) mesh.read(element);
+  mesh.check();
+  const loose = mesh.loose();
+  if (loose > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
+  const shelf = new PictureShelf(files, file.name, notes);
+  const materials: GltfMaterial[] =
+    header.texture === null
+      ? []
+      : [{ pbrMetallicRoughness: { baseColorTexture: shelf.texture(header.texture), metallicFactor: 0, roughnessFactor: 1 } }];
+  shelf.close();
+  return { parts: [mesh.part(materials.length > 0)], materials, pictures: shelf.pictures };
 }
 
-interface Element {
-  name: string;
-  count: number;
-  properties: Property[];
-}
+class PlyMesh {
+  private vertices = 0;
+  private positions = new Float64Array(0);
+  private colors: Float64Array | null = null;
+  private normals: Float32Array | null = null;
+  private uvs: Float32Array | null = null;
+  private readonly index: number[] = [];
+  /** Of each corner of `index` where faces have places in the picture of their own. */
+  private wedges: number[] | null = null;
+  private splat = false;
 
-interface Header {
-  format: string;
-  elements: Element[];
-  /** Bytes before the first row. */
-  size: number;
-}
+  constructor(
+    private readonly name: string,
+    private readonly next: Reader,
+  ) {}
 
-type Next = (type: Scalar) => number;
+  read(element: Element): void {
+    if (element.name === "vertex") this.readVertices(element);
+    else if (element.name === "face") this.readFaces(element);
+    else if (element.name === "tristrips") this.readStrips(element);
+    else this.skip(element);
+  }
 
-const SIZE: Record<Scalar, number> = { int8: 1, uint8: 1, int16: 2, uint16: 2, int32: 4, uint32: 4, float32: 4, float64: 8 };
-const TYPES: Record<string, Scalar | undefined> = {
-  char: "int8",
-  uchar: "uint8",
-  short: "int16",
-  ushort: "uint16",
-  int: "int32",
-  uint: "uint32",
-  float: "float32",
-  double: "float64",
-  int8: "int8",
-  uint8: "uint8",
-  int16: "int16",
-  uint16: "uint16",
-  int32: "int32",
-  uint32: "uint32",
-  float32: "float32",
-  float64: "float64",
-};
+  check(): void {
+    if (this.index.length > 0) return;
+    const points = count(this.vertices, "point");
+    if (this.splat) {
+      throw new ModelError(`${this.name} is a cloud of Gaussian splats without a surface. Make a mesh of it, and save that as GLB or PLY.`);
+    }
+    throw new ModelError(`${this.name} has no triangles: it holds ${points} alone. Make a mesh of them (MeshLab: screened Poisson).`);
+  }
 
-/** Polygons become fans. Errors (ModelError): a header that makes no sense; a file that ends early; a vertex that is not there. */
-export function readPly(name: string, bytes: Uint8Array, notes: string[]): GltfDocument {
-  const header = readHeader(name, bytes);
-  const body = bytes.subarray(header.size);
-  const next = header.format === "ascii" ? textValues(name, body) : binaryValues(name, body, header.format === "binary_little_endian");
+  loose(): number {
+    const used = new Uint8Array(this.vertices);
+    for (const vertex of this.index) used[vertex] = 1;
+    return used.reduce((sum, is) => sum + 1 - is, 0);
+  }
 
-  let vertices = 0;
-  const positions: number[] = [];
-  const colors: number[] = [];
-  const uvs: number[] = [];
-  const index: number[] = [];
-  for (const element of header.elements) {
-    const column = columns(element);
-    for (let row = 0; row < element.count; row++) {
-      const values = readRow(element, next);
-      if (element.name === "vertex") {
-        positions.push(...column.position.map((k) => values[k][0]));
-        colors.push(...column.color.map((k) => linear(values[k][0] * column.colorScale)));
-        if (column.uv.length === 2) uvs.push(values[column.uv[0]][0], 1 - values[column.uv[1]][0]);
-      } else if (element.name === "face" && column.loop >= 0) {
-        const loop = values[column.loop];
-        const wrong = loop.find((v) => !(v >= 0 && v < vertices));
-        if (wrong !== undefined) {
-          throw new ModelError(`${name}: face ${row + 1} names vertex ${wrong}, but there are ${count(vertices, "vertex", "vertices")}.`);
-        }
-        for (let k = 1; k + 1 < loop.length; k++) index.push(loop[0], loop[k], loop[k + 1]);
+  part(textured: boolean): Built["parts"][number] {
+    const { positions, normals, index } = this;
+    const colors = this.colors && linearColors(this.colors);
+    const material = textured ? { material: 0 } : {};
+    if (!this.wedges) return { positions, normals, colors, uvs: this.uvs ? [this.uvs] : [], index, ...material };
+    const table = new CornerTable();
+    const uv = Float32Array.from(this.wedges);
+    const bits = new Int32Array(uv.buffer);
+    const corners = Uint32Array.from(index, (vertex, k) => table.put(vertex, bits[2 * k], bits[2 * k + 1]));
+    const rows = table.column(0);
+    const places = new Float32Array(2 * rows.length);
+    corners.forEach((corner, k) => places.set(uv.subarray(2 * k, 2 * k + 2), 2 * corner));
+    return {
+      positions: rowsOf(positions, rows),
+      normals: normals && rowsOf(normals, rows),
+      colors: colors && rowsOf(colors, rows),
+      uvs: [places],
+      index: corners,
+      ...material,
+    };
+  }
+
+  private readVertices(element: Element): void {
+    const { name } = this;
+    const { properties } = element;
+    const find = (...names: string[]): number => properties.findIndex((p) => names.includes(p.name) && !p.length);
+    const all = (...found: number[]): number[] => (found.includes(-1) ? [] : found);
+    const position = all(find("x"), find("y"), find("z"));
+    if (position.length < 3) throw new ModelError(`${name} has vertices without x, y and z.`);
+    const color = all(find("red", "r", "diffuse_red"), find("green", "g", "diffuse_green"), find("blue", "b", "diffuse_blue"));
+    const normal = all(find("nx"), find("ny"), find("nz"));
+    const uv = all(find("s", "u", "texture_u", "texture_s"), find("t", "v", "texture_v", "texture_t"));
+    const n = element.count;
+    this.vertices = n;
+    this.splat = find("f_dc_0") >= 0;
+    this.positions = new Float64Array(3 * n);
+    if (color.length) this.colors = new Float64Array(3 * n);
+    if (normal.length) this.normals = new Float32Array(3 * n);
+    if (uv.length) this.uvs = new Float32Array(2 * n);
+    const scale = color.length ? brightness(properties[color[0]].type) : 1;
+    const row = new Float64Array(properties.length);
+    for (let v = 0; v < n; v++) {
+      this.readRow(element, row);
+      for (let k = 0; k < 3; k++) {
+        this.positions[3 * v + k] = row[position[k]];
+        if (this.colors) this.colors[3 * v + k] = Math.min(Math.max(row[color[k]] * scale, 0), 1);
+        if (this.normals) this.normals[3 * v + k] = row[normal[k]];
+      }
+      if (this.uvs) {
+        this.uvs[2 * v] = row[uv[0]];
+        this.uvs[2 * v + 1] = 1 - row[uv[1]];
       }
     }
-    if (element.name === "vertex") {
-      if (column.position.length < 3) throw new ModelError(`${name} has vertices without x, y and z.`);
-      vertices = element.count;
+    // Many writers leave normals at zero.
+    if (this.normals?.every((x) => x === 0)) this.normals = null;
+  }
+
+  private readFaces(element: Element): void {
+    const { properties } = element;
+    const loopAt = properties.findIndex((p) => p.name === "vertex_indices" || p.name === "vertex_index");
+    const wedgeAt = properties.findIndex((p) => p.name === "texcoord" && p.length);
+    if (loopAt < 0) return this.skip(element);
+    if (wedgeAt >= 0) this.wedges = [];
+    const corners: number[] = [];
+    const triangles: number[] = [];
+    for (let f = 0; f < element.count; f++) {
+      let loop: number[] = [];
+      let wedge: number[] = [];
+      properties.forEach((property, k) => {
+        const values = this.readValues(property.type, property.length);
+        if (k === loopAt) loop = values;
+        if (k === wedgeAt) wedge = values;
+      });
+      for (const v of loop) if (!(Number.isInteger(v) && v >= 0 && v < this.vertices)) throw this.noVertex(`face ${f + 1}`, v);
+      if (!this.wedges) {
+        addPolygon(this.index, loop, loop, this.positions);
+        continue;
+      }
+      corners.length = 0;
+      triangles.length = 0;
+      for (let k = 0; k < loop.length; k++) corners.push(k);
+      addPolygon(triangles, corners, loop, this.positions);
+      for (const k of triangles) {
+        this.index.push(loop[k]);
+        this.wedges.push(wedge[2 * k] ?? 0, 1 - (wedge[2 * k + 1] ?? 0));
+      }
     }
   }
-  const loose = vertices - new Set(index).size;
-  if (loose > 0 && index.length > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
-  return buildDocument(name, { parts: [{ positions, index, colors: colors.length ? colors : null, uvs: uvs.length ? [uvs] : [] }] });
-}
 
-function readHeader(name: string, bytes: Uint8Array): Header {
-  const text = new TextDecoder("latin1").decode(bytes.subarray(0, 65536));
-  const end = /end_header[ \t]*(\r\n|\n|\r)/.exec(text);
-  if (!text.startsWith("ply") || !end) throw new ModelError(`${name} has no whole PLY header.`);
-  const header: Header = { format: "", elements: [], size: end.index + end[0].length };
-  for (const line of text.slice(0, end.index).split(/\r\n|\n|\r/)) {
-    const [key, ...rest] = line.trim().split(/\s+/);
-    const element = header.elements.at(-1);
-    if (key === "format") header.format = rest[0];
-    if (key === "element") header.elements.push({ name: rest[0], count: Number(rest[1]), properties: [] });
-    if (key === "property" && element) {
-      const list = rest[0] === "list";
-      const length = list ? TYPES[rest[1]] : null;
-      const type = TYPES[list ? rest[2] : rest[0]];
-      if (!type || length === undefined) throw new ModelError(`${name} has a property of an unknown type: "${line.trim()}".`);
-      element.properties.push({ name: rest[list ? 3 : 1], type, length });
+  /** Each a row of vertices; -1 begins another strip. */
+  private readStrips(element: Element): void {
+    const { properties } = element;
+    const at = properties.findIndex((p) => p.name === "vertex_indices" || p.name === "vertex_index");
+    for (let row = 0; row < element.count; row++) {
+      properties.forEach((property, k) => {
+        const values = this.readValues(property.type, property.length);
+        if (k !== at) return;
+        let from = 0;
+        values.forEach((v, i) => {
+          if (v === -1) from = i + 1;
+          else if (!(Number.isInteger(v) && v >= 0 && v < this.vertices)) throw this.noVertex(`strip ${row + 1}`, v);
+          else if (i - from >= 2) {
+            if ((i - from) % 2 === 0) this.index.push(values[i - 2], values[i - 1], v);
+            else this.index.push(values[i - 1], values[i - 2], v);
+          }
+        });
+      });
     }
   }
-  if (!["ascii", "binary_little_endian", "binary_big_endian"].includes(header.format)) {
-    throw new ModelError(`${name} is a PLY of an unknown format "${header.format}".`);
+
+  private skip(element: Element): void {
+    for (let row = 0; row < element.count; row++) for (const { type, length } of element.properties) this.readValues(type, length);
   }
-  const wrong = header.elements.find(
-    (e) => !(Number.isInteger(e.count) && e.count >= 0 && (e.properties.length === 0 || e.count <= bytes.length)),
-  );
-  if (wrong) throw new ModelError(`${name} promises ${wrong.count} of "${wrong.name}", which cannot be.`);
-  header.elements = header.elements.filter((e) => e.properties.length > 0);
-  return header;
-}
 
-/** Where a row keeps what we want: positions in its list of properties; empty or -1 where it has none. */
-function columns(element: Element): { position: number[]; color: number[]; colorScale: number; uv: number[]; loop: number } {
-  const find = (...names: string[]): number => element.properties.findIndex((p) => names.includes(p.name));
-  const all = (...found: number[]): number[] => (found.includes(-1) ? [] : found);
-  const color = all(find("red", "r", "diffuse_red"), find("green", "g", "diffuse_green"), find("blue", "b", "diffuse_blue"));
-  const type = color.length ? element.properties[color[0]].type : "float32";
-  return {
-    position: all(find("x"), find("y"), find("z")),
-    color,
-    colorScale: type.startsWith("float") ? 1 : type === "uint16" ? 1 / 65535 : 1 / 255,
-    uv: all(find("s", "u", "texture_u"), find("t", "v", "texture_v")),
-    loop: find("vertex_indices", "vertex_index"),
-  };
-}
-
-function readRow(element: Element, next: Next): number[][] {
-  return element.properties.map(({ type, length }) => {
-    const row: number[] = [];
-    for (let n = length ? next(length) : 1; n > 0; n--) row.push(next(type));
-    return row;
-  });
-}
-
-function textValues(name: string, body: Uint8Array): Next {
-  const tokens = new TextDecoder("latin1").decode(body).match(/\S+/g) ?? [];
-  let at = 0;
-  return (type) => {
-    if (at >= tokens.length) throw new ModelError(`${name} ends before its last row.`);
-    const token = tokens[at++];
-    const x = Number(token);
-    if (!Number.isFinite(x) || (!type.startsWith("float") && !Number.isInteger(x))) {
-      throw new ModelError(`${name}: "${token.slice(0, 20)}" should be a ${type.startsWith("float") ? "number" : "whole number"}.`);
+  /** Plain properties only; lists are passed. */
+  private readRow({ properties }: Element, row: Float64Array): void {
+    for (let k = 0; k < properties.length; k++) {
+      const { type, length } = properties[k];
+      if (length) this.readValues(type, length);
+      else row[k] = this.next.value(type);
     }
-    return x;
-  };
+  }
+
+  private readValues(type: Scalar, length: Scalar | null): number[] {
+    const values: number[] = [];
+    const n = length ? this.next.value(length) : 1;
+    if (!(Number.isInteger(n) && n >= 0)) throw new ModelError(`${this.name}: ${n} should be a whole number, how many values follow.`);
+    if (n > this.next.left()) throw endsEarly(this.name);
+    for (let k = 0; k < n; k++) values.push(this.next.value(type));
+    return values;
+  }
+
+  private noVertex(what: string, vertex: number): ModelError {
+    return new ModelError(`${this.name}: ${what} names vertex ${vertex}, but there are ${count(this.vertices, "vertex", "vertices")}.`);
+  }
 }
 
-function binaryValues(name: string, body: Uint8Array, little: boolean): Next {
-  const view = new DataView(body.buffer, body.byteOffset, body.byteLength);
-  let at = 0;
-  return (type) => {
-    const here = at;
-    at += SIZE[type];
-    if (at > view.byteLength) throw new ModelError(`${name} ends before its last row.`);
-    switch (type) {
-      case "int8":
-        return view.getInt8(here);
-      case "uint8":
-        return view.getUint8(here);
-      case "int16":
-        return view.getInt16(here, little);
-      case "uint16":
-        return view.getUint16(here, little);
-      case "int32":
-        return view.getInt32(here, little);
-      case "uint32":
-        return view.getUint32(here, little);
-      case "float32":
-        return view.getFloat32(here, little);
-      case "float64":
-        return view.getFloat64(here, little);
-    }
-  };
+/** What a colour's largest value is multiplied by to be 1. */
+function brightness(type: Scalar): number {
+  if (type.startsWith("float")) return 1;
+  return type === "uint16" ? 1 / 65535 : 1 / 255;
+}
+
+function rowsOf<T extends Float32Array | Float64Array>(values: T, rows: Int32Array): Float64Array {
+  const out = new Float64Array(3 * rows.length);
+  for (let r = 0; r < rows.length; r++) for (let k = 0; k < 3; k++) out[3 * r + k] = values[3 * rows[r] + k];
+  return out;
 }

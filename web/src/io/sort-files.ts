@@ -1,9 +1,10 @@
 // One drop of many files: what of it is opened, and as what.
 
 import type { FormatKind } from "./format";
-import { formatOf, listed } from "./formats";
+import { formatOf } from "./formats";
 import { baseName, type NamedFile } from "./named-file";
 import { findMotions, type FoundMotion } from "./read-motion-files";
+import { refusal } from "./refused";
 import { isLeftBehind, isZip, unzip } from "./zip";
 
 export interface SortedFiles {
@@ -29,7 +30,7 @@ export async function sortFiles(dropped: readonly NamedFile[]): Promise<SortedFi
   files.forEach((file, k) => {
     const kind = kinds[k];
     if (kind === undefined || kind === "archive") {
-      problems.push(`${baseName(file.name)} is nothing that Rigless opens. Models: ${listed("model")}. Motions: ${listed("motion")}.`);
+      problems.push(refusal(file.name));
     } else if ((kind === "picture" || kind === "part") && models.length === 0 && projects.length === 0) {
       problems.push(`${baseName(file.name)} belongs to a model: drop both together.`);
     }

@@ -14,8 +14,11 @@ export function isZip(file: NamedFile): boolean {
   return formatOf(file)?.kind === "archive";
 }
 
-/** Errors (DocumentError): broken; too large unpacked; a path that leads out. Folders and what systems leave behind are passed over. */
-export function unzip(file: NamedFile): NamedFile[] {
+/**
+ * `wanted`: by default all. Folders and what systems leave behind are passed over. Errors (DocumentError): broken; too large
+ * unpacked; a path that leads out.
+ */
+export function unzip(file: NamedFile, wanted: (path: string) => boolean = () => true): NamedFile[] {
   const name = baseName(file.name);
   let bytes = 0;
   let entries = 0;
@@ -35,7 +38,7 @@ export function unzip(file: NamedFile): NamedFile[] {
             `${name} would unpack to more than ${bytes > MOST_BYTES ? "512 MB" : "1,000 files"}. We did not open it.`,
           );
         }
-        return true;
+        return wanted(path);
       },
     });
     return Object.entries(unpacked).map(([path, content]) => ({ name: path.replaceAll("\\", "/"), bytes: content }));

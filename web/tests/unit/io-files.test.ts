@@ -84,7 +84,7 @@ describe("one drop of many files", () => {
     expect(sorted.files.map((file) => file.name)).toEqual(["cow.obj", "cow.png", "cow.mtl", "dance/hop.bvh", "letter.docx", "02_01.amc"]);
     expect(sorted.problems).toEqual([
       "02_01.amc needs its skeleton: drop the .asf with it.",
-      "letter.docx is nothing that Rigless opens. Models: OBJ, OFF, PLY, STL, glTF, GLB. Motions: BVH, ASF with AMC.",
+      "letter.docx is nothing that Rigless opens. Models: OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF, USDZ. Motions: BVH, ASF with AMC.",
     ]);
   });
 
@@ -139,7 +139,7 @@ describe("project files", () => {
     expect(await refusal(async () => await openProject([files[0]]))).toBe("cow.obj holds no project.json.");
     const noModel = textFile("project.json", serializeProject({ ...document, mesh: { ...document.mesh, file: "02.asf" } }));
     expect(await refusal(async () => await openProject([noModel, ...files]))).toBe(
-      "project.json names 02.asf, which is no model (OBJ, OFF, PLY, STL, glTF, GLB).",
+      "project.json names 02.asf, which is no model (OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF, USDZ).",
     );
     const two = textFile("project.json", serializeProject({ ...document, motion: { files: ["02.asf"] } }));
     expect(await refusal(async () => await openProject([two, ...files]))).toBe(

@@ -16,8 +16,8 @@ it("each ending belongs to one format", () => {
 
 it("dialogs and sentences name every format of a kind", () => {
   expect(accepted(["motion", "skeleton"])).toBe(".bvh,.amc,.asf");
-  expect(accepted(["model"])).toBe(".obj,.off,.ply,.stl,.gltf,.glb");
-  expect(listed("model", "or")).toBe("OBJ, OFF, PLY, STL, glTF or GLB");
+  expect(accepted(["model"])).toBe(".obj,.off,.ply,.stl,.gltf,.glb,.vrm,.fbx,.dae,.3mf,.usdz,.usda,.usdc,.usd");
+  expect(listed("model", "or")).toBe("OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF or USDZ");
   expect(listed("motion", "or")).toBe("BVH or ASF with AMC");
 });
 

@@ -111,7 +111,7 @@ describe("OBJ", () => {
 
   it.each([
     ["", "bad.obj is empty."],
-    ["v 0 0 0\nv 1 0 0\nv 0 1 0\n", "bad.obj has 3 points but no faces."],
+    ["v 0 0 0\nv 1 0 0\nv 0 1 0\n", "bad.obj has 3 points but no faces: save it as a mesh."],
     ["Dear diary, today I saw a cow.\n", "bad.obj holds no OBJ model."],
     ["\u0000\u0001\u0002binary", "bad.obj is not text, so it is no OBJ model."],
     ["v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "bad.obj has all its corners on one spot."],
@@ -143,13 +143,16 @@ describe("OFF", () => {
     [off.replace("3 1 2 3", "4 1 2 3"), "t.off, line 12: a face of 4 corners names only 3."],
     [off.replace("0 1 0", "0 nan 0"), 't.off, line 7: "nan" is not a number.'],
     [off.replace("0 1 0", "0 1"), "t.off, line 7: a number is missing."],
-    [off.replace("4 4 6", "4 5 6"), "t.off ends before face 5 of 5."],
-    [off.replace("4 4 6", "999999999 4 6"), "t.off promises 999,999,999 vertices and 4 faces, more than it can hold."],
+    [off.replace("4 4 6", "4 5 6"), "t.off ends before face 5 of 5. It may have been cut short: fetch or save it once more."],
+    [
+      off.replace("4 4 6", "999999999 4 6"),
+      "t.off promises 999,999,999 vertices and 4 faces, more than fit in it. It may have been cut short: fetch or save it once more.",
+    ],
     [off.replace("4 4 6", "-4 4 6"), "t.off, line 3: -4 should be a whole number from 0."],
     ["OFF BINARY\n", "t.off is a binary OFF. Save it as text."],
     ["4OFF\n1 1 1\n", "t.off is not three-dimensional (4OFF)."],
     ["intro\n", "t.off does not begin with OFF."],
-    ["OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "t.off has no triangles."],
+    ["OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "t.off has no triangles: it holds 3 points alone. Save it as a mesh."],
   ])("refuses %j", async (text, message) => {
     expect(await refusal("t.off", text)).toBe(message);
   });
@@ -193,9 +196,12 @@ describe("PLY", () => {
     [ascii.replace("5 0 1 2 3 4", "5 0 1 2 3 5"), "house.ply: face 1 names vertex 5, but there are 5 vertices."],
     [ascii.replace("5 0 1 2 3 4", "5 0 1 2 3 -1"), "house.ply: face 1 names vertex -1, but there are 5 vertices."],
     [ascii.replace("2 1 0 255", "2 nan 0 255"), 'house.ply: "nan" should be a number.'],
-    [ascii.slice(0, -20), "house.ply ends before its last row."],
-    [ascii.replace("vertex 5", "vertex 5000000"), 'house.ply promises 5000000 of "vertex", which cannot be.'],
-    [ascii.replace("end_header", ""), "house.ply has no whole PLY header."],
+    [ascii.slice(0, -20), "house.ply ends before its last row. It may have been cut short: fetch or save it once more."],
+    [
+      ascii.replace("vertex 5", "vertex 5000000"),
+      'house.ply promises 5,000,000 of "vertex", but no more than 7 fit in it. It may have been cut short: fetch or save it once more.',
+    ],
+    [ascii.replace("end_header", ""), "house.ply has no whole PLY header. It may have been cut short: fetch or save it once more."],
     [ascii.replace("ascii", "utf"), 'house.ply is a PLY of an unknown format "utf".'],
     [ascii.replace("float x", "real x"), 'house.ply has a property of an unknown type: "property real x".'],
   ])("refuses a broken one: %#", async (text, message) => {
@@ -203,7 +209,9 @@ describe("PLY", () => {
   });
 
   it("refuses a binary one that is cut short", async () => {
-    expect(await refusal("house.ply", binary(true).subarray(0, -20))).toBe("house.ply ends before its last row.");
+    expect(await refusal("house.ply", binary(true).subarray(0, -20))).toBe(
+      "house.ply ends before its last row. It may have been cut short: fetch or save it once more.",
+    );
   });
 });
 
@@ -255,11 +263,14 @@ describe("STL", () => {
   });
 
   it.each<[string, string | Uint8Array]>([
-    ["t.stl promises 4 triangles, but it ends after 3 triangles.", binary("cut").subarray(0, -10)],
+    [
+      "t.stl promises 4 triangles, but it ends after 3 triangles. It may have been cut short: fetch or save it once more.",
+      binary("cut").subarray(0, -10),
+    ],
     ['t.stl, line 5: "nan" is not a number.', ascii.replace("vertex 0 1 0", "vertex nan 1 0")],
     ["t.stl, line 5: a corner needs three numbers.", ascii.replace("vertex 0 1 0", "vertex 0 1")],
     ["t.stl, line 7: a triangle needs three corners, but this one has 2.", ascii.replace("vertex 0 1 0\n", "")],
-    ['t.stl ends before "endsolid".', ascii.slice(0, -15)],
+    ['t.stl ends before "endsolid". It may have been cut short: fetch or save it once more.', ascii.slice(0, -15)],
     ["t.stl has no triangles.", "solid nothing\nendsolid nothing\n"],
     ["t.stl holds no STL model.", "hello"],
     [
@@ -284,5 +295,7 @@ it("refuses coordinates that no number on the stage can hold", async () => {
 });
 
 it("names what is no model", async () => {
-  expect(await refusal("letter.docx", "hello")).toBe("letter.docx is not a model that we read (OBJ, OFF, PLY, STL, glTF, GLB).");
+  expect(await refusal("letter.docx", "hello")).toBe(
+    "letter.docx is not a model that we read (OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF, USDZ).",
+  );
 });

@@ -73,6 +73,8 @@ export function buildDocument(name: string, { parts, materials = [], pictures = 
     ...packPictures(packer, pictures),
     ...packer.json(),
   };
+  const extensions = extensionsOf(materials, pictures);
+  if (extensions.length > 0) json.extensionsUsed = extensions;
   return { json, buffers: [packer.bytes()], images: pictures.map(({ picture }) => picture) };
 }
 
@@ -169,10 +171,7 @@ function packRows(packer: Packer, rows: readonly Row[], kept: Float32Array, vert
 }
 
 /** A texture for each picture; one picture's bytes are packed once. */
-function packPictures(
-  packer: Packer,
-  pictures: readonly BuiltPicture[],
-): Pick<Gltf, "textures" | "images" | "samplers" | "extensionsUsed"> {
+function packPictures(packer: Packer, pictures: readonly BuiltPicture[]): Pick<Gltf, "textures" | "images" | "samplers"> {
   if (pictures.length === 0) return {};
   const views = new Map<Uint8Array, number>();
   const viewOf = ({ bytes }: Picture): number => {
@@ -189,7 +188,16 @@ function packPictures(
       ...(picture?.mime === "image/webp" ? { extensions: { EXT_texture_webp: { source } } } : { source }),
       ...(sampler && { sampler: samplers.indexOf(sampler) }),
     })),
-    ...(pictures.some(({ picture }) => picture?.mime === "image/webp") && { extensionsUsed: ["EXT_texture_webp"] }),
     ...(samplers.length > 0 && { samplers }),
   };
+}
+
+/** All that materials name, their textures' too. */
+function extensionsOf(materials: readonly GltfMaterial[], pictures: readonly BuiltPicture[]): string[] {
+  const names = new Set(pictures.some(({ picture }) => picture?.mime === "image/webp") ? ["EXT_texture_webp"] : []);
+  JSON.stringify(materials, (key, value: unknown) => {
+    if (key === "extensions" && typeof value === "object" && value) for (const name of Object.keys(value)) names.add(name);
+    return value;
+  });
+  return [...names];
 }

@@ -1,0 +1,49 @@
+// The reader of each format of models, loaded with its first file. The page itself never loads this table: a worker reads for it.
+
+import type { GltfDocument } from "../gltf/document";
+import type { ModelId } from "./formats";
+import { type Built, buildDocument } from "./gltf/build";
+import { type Joint, withJoints } from "./gltf/joints";
+import type { NamedFile } from "./named-file";
+
+/** What the reader of a model is given. */
+export interface ModelSource {
+  /** Without folders. */
+  readonly name: string;
+  readonly file: NamedFile;
+  /** All files, the model's own among them. */
+  readonly files: readonly NamedFile[];
+  /** What was worked around, in plain words: the reader adds to it. */
+  readonly notes: string[];
+  /** 0..1 of the reading, now and then. */
+  readonly onProgress: (done: number) => void;
+}
+
+type Reader = (source: ModelSource) => Promise<GltfDocument>;
+
+const gltf: Reader = async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes);
+
+/** A reader that finds parts. */
+const parts =
+  (read: (source: ModelSource) => Promise<Built & { readonly joints?: readonly Joint[] }>): Reader =>
+  async (source) => {
+    const built = await read(source);
+    return withJoints(buildDocument(source.name, built), built.joints ?? []);
+  };
+
+export const READERS: Readonly<Record<ModelId, Reader>> = {
+  obj: parts(async ({ name, file, files, notes, onProgress }) =>
+    (await import("./read-obj")).readObj(name, file, files, notes, onProgress),
+  ),
+  off: parts(async ({ name, file, notes, onProgress }) => (await import("./read-off")).readOff(name, file, notes, onProgress)),
+  ply: parts(async ({ name, file, files, notes, onProgress }) =>
+    (await import("./read-ply")).readPly(name, file, files, notes, onProgress),
+  ),
+  stl: parts(async ({ name, file, onProgress }) => (await import("./read-stl")).readStl(name, file, onProgress)),
+  gltf,
+  glb: gltf,
+  fbx: parts(async (source) => (await import("./three-scene/read-fbx")).readFbx(source)),
+  dae: parts(async (source) => (await import("./three-scene/read-dae")).readDae(source)),
+  "3mf": parts(async (source) => (await import("./three-scene/read-3mf")).read3mf(source)),
+  usd: parts(async (source) => (await import("./three-scene/read-usd")).readUsd(source)),
+};
