@@ -46,7 +46,11 @@ RIGLESS_COLD Box body_box(Span<const Vec3<S>> vertices, Span<const Face> faces, 
   Box box;
   bool any = false;
   std::array<WeightAlong, 3> along;
-  const std::size_t stride = faces.size() / 65536 + 1;
+  const std::size_t stride = faces.size() / 65536 + 1, most_corners = 3 * (faces.size() / stride + 1);
+  for (WeightAlong& one : along) {
+    one.at.reserve(most_corners);
+    one.weight.reserve(most_corners);
+  }
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (!left_out.empty() && left_out[f]) continue;
     Point corner[3];

@@ -42,11 +42,7 @@ RIGLESS_COLD std::vector<std::int32_t> find_carriers(const Triangles<S>& triangl
   constexpr std::int32_t stays = -1, unknown = -2;
   const auto count = triangles.vertices.size();
   std::vector<std::int32_t> of(count, unknown);
-  std::vector<char> shell_in(count, 0), on_ground(count, 0);
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-    if (triangles.has(f)) continue;
-    for (const std::int32_t v : triangles.faces[f]) nth(on_ground, nth(sheets.at, v)) = 1;
-  }
+  std::vector<char> shell_in(to_size(sheets.shells), 0);
   for (std::size_t k = 0; k < pieces.share.size(); ++k) {
     const Share& share = pieces.share[k];
     nth(shell_in, nth(sheets.shell_of, share.face)) = 1;

@@ -11,11 +11,11 @@ struct ShellSize {
   double area = 0;
 };
 
-// Of each shell, by the number of its first vertex; those without faces have no area. Allocates.
+// Of each shell. Allocates.
 template <class S>
 RIGLESS_COLD std::vector<ShellSize> measure_shells(Span<const Vec3<S>> vertices, Span<const Face> faces,
                                                    const Sheets& sheets) {
-  std::vector<ShellSize> shells(vertices.size());
+  std::vector<ShellSize> shells(to_size(sheets.shells));
   for (std::size_t f = 0; f < faces.size(); ++f) {
     ShellSize& shell = nth(shells, sheets.shell_of[f]);
     Point corner[3];

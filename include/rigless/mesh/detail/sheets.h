@@ -11,8 +11,9 @@ namespace rigless::detail {
 
 struct Sheets {
   std::vector<std::int32_t> at;        // V: the vertex that speaks for all at its place
-  std::vector<std::int32_t> shell_of;  // F: shell, by its first vertex
-  std::vector<std::int8_t> side;       // F: 1 where the winding shows outwards, -1 where inwards, 0 where nobody knows
+  std::vector<std::int32_t> shell_of;  // F
+  std::int32_t shells = 0;
+  std::vector<std::int8_t> side;  // F: 1 where the winding shows outwards, -1 where inwards, 0 where nobody knows
 };
 
 // Triangles over one edge are wound alike, or turned so; then each patch shows outwards if its volume about its own
@@ -113,7 +114,12 @@ RIGLESS_COLD Sheets find_sheets(Span<const Vec3<S>> vertices, Span<const Face> f
     shells.unite(nth(sheets.at, f[0]), nth(sheets.at, f[2]));
   }
   sheets.shell_of.reserve(faces.size());
-  for (const Face& f : faces) sheets.shell_of.push_back(shells.find(nth(sheets.at, f[0])));
+  std::vector<std::int32_t> number(vertices.size(), -1);
+  for (const Face& f : faces) {
+    std::int32_t& shell = nth(number, shells.find(nth(sheets.at, f[0])));
+    if (shell < 0) shell = sheets.shells++;
+    sheets.shell_of.push_back(shell);
+  }
   Winding winding(faces.size());
   winding.join_over_edges(faces, sheets.at);
   sheets.side = winding.sides(vertices, faces);

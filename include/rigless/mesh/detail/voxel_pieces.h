@@ -33,6 +33,7 @@ struct Pieces {
 template <class S>
 RIGLESS_COLD std::vector<Share> collect_shares(const Triangles<S>& triangles, const Voxels& voxels) {
   std::vector<Share> shares;
+  shares.reserve(triangles.faces.size() + triangles.faces.size() / 4);
   std::vector<std::pair<std::int32_t, Point>> hits;
   for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
     if (!triangles.has(f)) continue;
