@@ -35,7 +35,7 @@ const count = (n) => n.toLocaleString("en-US");
 const right = (said, truth) => (truth ? (truth.split("|").includes(said) ? "yes" : `no, ${truth.replaceAll("|", " or ")}`) : "");
 
 /** results: in the order of the sheets. */
-export function strangersTable(results, human, drawn, perSheet) {
+export function strangersTable(results, human, sheets) {
   const rated = results.filter(({ rating }) => rating !== null);
   const good = rated.filter(({ rating }) => rating >= 2);
   const verdict =
@@ -54,10 +54,6 @@ export function strangersTable(results, human, drawn, perSheet) {
         ];
     return `| ${[name, what, repository ?? "", ...cells, rating ?? "", note].join(" | ")} |`;
   });
-  const sheets = Array.from(
-    { length: Math.ceil(drawn / perSheet) },
-    (_, n) => `![](strangers/sheet-${String(n + 1).padStart(2, "0")}.png)`,
-  );
   return `# Strangers
 
 Written by \`node web/authoring/figures/strangers.js\`: models that nobody here made, and hostile ones, each baked with our walk and
@@ -72,6 +68,6 @@ ${verdict}| name | what | repository | triangles | shells | up, front: right? | 
 |---|---|---|---|---|---|---|---|---|---|---|---|
 ${rows.join("\n")}
 
-${sheets.join("\n")}
+${sheets.map((sheet) => `![](strangers/${sheet})`).join("\n")}
 `;
 }

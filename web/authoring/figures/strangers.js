@@ -20,7 +20,6 @@ import { humanSwing, strangersTable } from "./strangers-table.js";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
 const figures = `${root}docs/figures/`;
-const PER_SHEET = 8;
 const FRAMES = 6;
 const CELL = 104;
 const MODELS = [".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".fbx", ".vrm", ".dae", ".3mf", ".usdz"];
@@ -68,15 +67,16 @@ mkdirSync(out, { recursive: true });
 const page = await openPage("strangers.html", { outside: true, stay: true });
 const served = (path) => `/@fs${path.split("/").map(encodeURIComponent).join("/")}`;
 
-/** Rows of strips, PER_SHEET under each other. */
+/** Rows of strips under each other; gives the sheets' names. */
 async function writeSheets(name, rows) {
-  for (let n = 0; n * PER_SHEET < rows.length; n++) {
-    const { width, height, rgb } = await page.call("drawSheet", rows.slice(n * PER_SHEET, (n + 1) * PER_SHEET));
+  const sheets = rows.length > 0 ? await page.call("drawSheets", rows) : [];
+  return sheets.map(({ width, height, rgb }, n) => {
     const png = encodePng(width, height, Buffer.from(rgb, "base64"));
     const file = `${name}-${String(n + 1).padStart(2, "0")}.png`;
     writeFileSync(join(out, file), png);
     console.log(`${join(out, file)}: ${(png.length / 1000).toFixed(0)} kB`);
-  }
+    return file;
+  });
 }
 
 if (asked.raw) {
@@ -99,7 +99,7 @@ if (asked.raw) {
     console.log(model.name, result.refused ?? `${result.up} ${result.front} swing ${result.measures.swing.map(Math.round)}`);
   }
   const drawn = results.filter(({ strip }) => strip);
-  await writeSheets(
+  const sheets = await writeSheets(
     "sheet",
     drawn.map(({ name, up, front, measures, rating, points, strip }) => ({
       title:
@@ -109,7 +109,7 @@ if (asked.raw) {
       strip,
     })),
   );
-  const table = strangersTable(results, human, drawn.length, PER_SHEET);
+  const table = strangersTable(results, human, sheets);
   writeFileSync(asked.out ? join(out, "strangers.md") : `${figures}strangers.md`, table);
   writeFileSync(
     join(scratch, "last.json"),

@@ -53,12 +53,14 @@ declare global {
     drawStranger: (input: DanceInput) => Promise<{ strip: string; measures: Measures }>;
     /** As the file holds it: seen along -z and -x with y up, and along -y with -z up. */
     drawRaw: (input: { url: string; cell: number }) => Promise<string>;
-    /** Rows under each other; RGB bytes in base64. */
-    drawSheet: (input: SheetRow[]) => Promise<{ width: number; height: number; rgb: string }>;
+    /** Rows under each other, as many on a sheet as eyes take in; RGB bytes in base64. */
+    drawSheets: (input: SheetRow[]) => Promise<{ width: number; height: number; rgb: string }[]>;
   }
 }
 
 const TITLE = 17;
+/** Height of a sheet in pixels, about. */
+const SHEET = 1350;
 const FRONT = { azimuth: 0.6, elevation: 0.14 };
 const SIDE = { azimuth: Math.PI / 2, elevation: 0.06 };
 
@@ -87,10 +89,10 @@ class Studio {
   constructor() {
     const pmrem = new PMREMGenerator(this.renderer);
     this.scene.environment = pmrem.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.55;
-    const sun = new DirectionalLight("#ffffff", 1.6);
+    this.scene.environmentIntensity = 0.45;
+    const sun = new DirectionalLight("#ffffff", 1.15);
     sun.position.set(2, 4, 3);
-    this.scene.add(new AmbientLight("#ffffff", 0.5), sun, this.ground);
+    this.scene.add(new AmbientLight("#ffffff", 0.3), sun, this.ground);
     this.ground.renderOrder = -1;
   }
 
@@ -109,7 +111,7 @@ class Studio {
     camera.updateMatrixWorld();
     ground.visible = floor !== null;
     ground.position.set(centre.x, floor ?? 0, centre.z);
-    ground.scale.setScalar(0.62 * half);
+    ground.scale.setScalar(0.45 * half);
     this.renderer.render(this.scene, camera);
     context.drawImage(this.renderer.domElement, x, y, width, height);
   }
@@ -143,7 +145,7 @@ function clear(width: number, height: number): { canvas: HTMLCanvasElement; cont
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext("2d")!;
-  context.fillStyle = "#ffffff";
+  context.fillStyle = "#f2f5f7";
   context.fillRect(0, 0, width, height);
   context.imageSmoothingQuality = "high";
   return { canvas, context };
@@ -293,18 +295,36 @@ window.drawRaw = async ({ url, cell }) => {
   return canvas.toDataURL("image/png");
 };
 
-window.drawSheet = async (rows) => {
+window.drawSheets = async (rows) => {
   const strips = await Promise.all(rows.map(async ({ strip }) => createImageBitmap(await (await fetch(strip)).blob())));
-  const width = Math.max(...strips.map((strip) => strip.width));
-  const { canvas, context } = clear(
-    width,
-    strips.reduce((sum, strip) => sum + strip.height + TITLE, 0),
+  const sheets: number[][] = [];
+  let left = 0;
+  strips.forEach(({ height }, n) => {
+    const needed = height + TITLE;
+    if (needed > left) {
+      sheets.push([]);
+      left = SHEET;
+    }
+    sheets[sheets.length - 1].push(n);
+    left -= needed;
+  });
+  return sheets.map((sheet) =>
+    sheetOf(
+      sheet.map((n) => rows[n].title),
+      sheet.map((n) => strips[n]),
+    ),
   );
+};
+
+function sheetOf(titles: readonly string[], strips: readonly ImageBitmap[]): { width: number; height: number; rgb: string } {
+  const width = Math.max(...strips.map((strip) => strip.width));
+  const height = strips.reduce((sum, strip) => sum + strip.height + TITLE, 0);
+  const { canvas, context } = clear(width, height);
   context.font = "12px system-ui, sans-serif";
   context.textBaseline = "middle";
   let top = 0;
-  rows.forEach(({ title }, n) => {
-    context.fillStyle = "#e9eef1";
+  titles.forEach((title, n) => {
+    context.fillStyle = "#d9e1e6";
     context.fillRect(0, top, width, TITLE);
     context.fillStyle = "#17212b";
     context.fillText(title, 4, top + TITLE / 2 + 1);
@@ -313,8 +333,9 @@ window.drawSheet = async (rows) => {
   });
   const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
   const rgb = new Uint8Array((data.length / 4) * 3);
-  for (let i = 0; i < data.length / 4; i++) rgb.set(data.subarray(4 * i, 4 * i + 3), 3 * i);
+  // Six bits of each colour: a third fewer bytes, and nothing to see.
+  for (let i = 0; i < data.length / 4; i++) for (let k = 0; k < 3; k++) rgb[3 * i + k] = data[4 * i + k] & 0xfc;
   const chunks: string[] = [];
   for (let i = 0; i < rgb.length; i += 0x6000) chunks.push(btoa(String.fromCharCode(...rgb.subarray(i, i + 0x6000))));
-  return { width: canvas.width, height: canvas.height, rgb: chunks.join("") };
-};
+  return { width, height, rgb: chunks.join("") };
+}
