@@ -36,11 +36,11 @@ const right = (said, truth) => (truth ? (truth.split("|").includes(said) ? "yes"
 
 /** results: in the order of the sheets. */
 export function strangersTable(results, human, sheets) {
-  const rated = results.filter(({ rating }) => rating !== null);
+  const rated = results.filter(({ rating, stale }) => rating !== null && !stale);
   const good = rated.filter(({ rating }) => rating >= 2);
   const verdict =
     rated.length === 0 ? "" : `${good.length} of ${rated.length} are good (${Math.round((100 * good.length) / rated.length)} %).\n\n`;
-  const rows = results.map(({ name, what, repository, measures, up, front, truth, seconds, rating, note, refused }) => {
+  const rows = results.map(({ name, what, repository, measures, up, front, truth, seconds, rating, note, refused, stale }) => {
     const cells = refused
       ? ["", "", `refused: ${refused.replaceAll("|", "/").replace(/^rigless: /, "")}`, "", "", "", ""]
       : [
@@ -52,7 +52,7 @@ export function strangersTable(results, human, sheets) {
           measures.stretch.toFixed(1),
           seconds.toFixed(1),
         ];
-    return `| ${[name, what, repository ?? "", ...cells, rating ?? "", note].join(" | ")} |`;
+    return `| ${[name, what, repository ?? "", ...cells, rating === null ? "" : stale ? `(${rating})` : rating, note].join(" | ")} |`;
   });
   return `# Strangers
 
@@ -62,7 +62,8 @@ the guessed points, six moments of the walk and six of the disco, from the front
 turns about the vertical, peak to peak, in walk and disco; the human's own is ${human.map((x) => x.toFixed(0)).join(" and ")} degrees.
 Volume is its least and greatest part of rest, stretch the length that 999 of 1,000 edges stay below, seconds those of one bake.
 Ratings are given by eyes (\`strangers/ratings.json\`): 3 delightful; 2 good: upright, the right way round, every limb answers its
-human's, nothing torn, nothing spinning; 1 wrong in something; 0 broken.
+human's, nothing torn, nothing spinning; 1 wrong in something; 0 broken; in
+brackets when the dance has changed since.
 
 ${verdict}| name | what | repository | triangles | shells | up, front: right? | swing | volume | stretch | s | rating | note |
 |---|---|---|---|---|---|---|---|---|---|---|---|

@@ -5,8 +5,10 @@
 //   --out <folder>   sheets and table go there instead
 //   --clone <folder> another checkout's command line is judged (its `npm run build:node` must have run)
 //   --raw            only how the files stand: seen along -z and -x with y up, and from above
+//   Ratings lie in ratings.json beside the sheets: { "fox": { "rating": 2, "note": "" } }. A run adds of which dance each is.
 //   --collect <clones> fills the folder of models from clones of their repositories, each at <clones>/<owner>+<name>
 // What was baked before from the same bytes is not baked again. CHROMIUM names the browser.
+import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, extname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -79,6 +81,23 @@ async function writeSheets(name, rows) {
   });
 }
 
+const ratingsText = (ratings) =>
+  `{\n${Object.entries(ratings)
+    .map(([name, rating]) => `  ${JSON.stringify(name)}: ${JSON.stringify(rating)}`)
+    .join(",\n")}\n}\n`;
+
+/** What eyes said of this very dance: a rating without `of` is of today's, one of another dance stands in brackets. */
+function ratingOf(ratings, name, { strip, refused }) {
+  const rating = ratings[name];
+  if (!rating) return { rating: null, note: "", stale: false };
+  const of = createHash("sha256")
+    .update(strip ?? refused)
+    .digest("hex")
+    .slice(0, 8);
+  rating.of ??= of;
+  return { rating: rating.rating, note: rating.note, stale: rating.of !== of };
+}
+
 if (asked.raw) {
   const rows = [];
   for (const { name, path } of models) {
@@ -88,29 +107,30 @@ if (asked.raw) {
   await writeSheets("raw", rows);
 } else {
   const baker = new Baker(resolve(asked.clone), scratch);
-  const ratings = json(`${figures}strangers/ratings.json`, {});
+  const ratings = json(join(out, "ratings.json"), {});
   const human = humanSwing();
   const results = [];
   for (const model of models) {
     const result = await baker.judge(model, async (dances) =>
       page.call("drawStranger", { dances: dances.map(({ path, points }) => ({ url: served(path), points })), frames: FRAMES, cell: CELL }),
     );
-    results.push({ ...model, ...result, rating: ratings[model.name]?.rating ?? null, note: ratings[model.name]?.note ?? "" });
+    results.push({ ...model, ...result, ...ratingOf(ratings, model.name, result) });
     console.log(model.name, result.refused ?? `${result.up} ${result.front} swing ${result.measures.swing.map(Math.round)}`);
   }
   const drawn = results.filter(({ strip }) => strip);
   const sheets = await writeSheets(
     "sheet",
-    drawn.map(({ name, up, front, measures, rating, points, strip }) => ({
+    drawn.map(({ name, up, front, measures, rating, points, strip, stale }) => ({
       title:
         `${name}: ${measures.triangles.toLocaleString("en-US")} triangles, ${measures.shells} shells; ${up} up, looks along ${front}; ` +
         `swings ${measures.swing.map(Math.round).join("/")} of ${human.map(Math.round).join("/")}; ` +
-        `${points.join(", ")}${rating === null ? "" : `; rated ${rating}`}`,
+        `${points.join(", ")}${rating === null ? "" : `; rated ${rating}${stale ? " before" : ""}`}`,
       strip,
     })),
   );
   const table = strangersTable(results, human, sheets);
   writeFileSync(asked.out ? join(out, "strangers.md") : `${figures}strangers.md`, table);
+  if (Object.keys(ratings).length > 0) writeFileSync(join(out, "ratings.json"), ratingsText(ratings));
   writeFileSync(
     join(scratch, "last.json"),
     JSON.stringify(
