@@ -1,18 +1,27 @@
 // A page of this folder, in a headless browser over a server of its own.
+import { createServer as createSocket } from "node:net";
 import { fileURLToPath } from "node:url";
 import { chromium } from "@playwright/test";
 import { createServer } from "vite";
 
 export const WEB = fileURLToPath(new URL("../../", import.meta.url));
-const PORT = 5305;
+/** A free one: several may draw at once. */
+const PORT = await new Promise((resolve) => {
+  const socket = createSocket();
+  socket.listen(0, "127.0.0.1", () => {
+    const { port } = socket.address();
+    socket.close(() => resolve(port));
+  });
+});
 /** The address of `web`. */
 export const BASE = `http://127.0.0.1:${PORT}/`;
 
 /**
  * CHROMIUM names the browser; the page's WASM must have been built. call(name, input) opens the page anew and calls the function that it
- * puts into `window`; it fails if anything in the page does. outside: files beyond the project may be read as /@fs/path.
+ * puts into `window`; it fails if anything in the page does. outside: files beyond the project may be read as /@fs/path; stay: the page
+ * is opened once for all calls.
  */
-export async function openPage(html, { outside = false } = {}) {
+export async function openPage(html, { outside = false, stay = false } = {}) {
   const server = await createServer({
     root: WEB,
     configFile: false,
@@ -31,9 +40,10 @@ export async function openPage(html, { outside = false } = {}) {
   page.on("pageerror", (error) => {
     throw error;
   });
+  const url = `${BASE}authoring/figures/${html}`;
   return {
     async call(name, input) {
-      await page.goto(`${BASE}authoring/figures/${html}`);
+      if (!stay || page.url() !== url) await page.goto(url);
       await page.waitForFunction((key) => key in window, name, { timeout: 60_000 });
       return page.evaluate(([key, value]) => window[key](value), [name, input]);
     },
