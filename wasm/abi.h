@@ -14,8 +14,8 @@
 #include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/retarget.h"
-#include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/body.h"
+#include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless_wasm {

@@ -93,9 +93,6 @@ RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, s
 
 RIGLESS_EXPORT const float* body_positions(ObjectHandle body) { return bodies[body].positions().data()->data(); }
 
-// N x 12, rows of (B | b): how the nodes of a solid carry the mesh as body_drag() left it.
-RIGLESS_EXPORT const float* body_maps(ObjectHandle body) { return bodies[body].maps().data()->data(); }
-
 RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) { return static_cast<double>(bodies[body].volume_ratio()); }
 
 // C x 3, at rest
@@ -139,9 +136,6 @@ RIGLESS_EXPORT PackedStatus bake_frame(ObjectHandle bake, std::int32_t frame) {
 }
 
 RIGLESS_EXPORT const float* bake_positions(ObjectHandle bake) { return bakes[bake].bake.positions().data()->data(); }
-
-// N x 12, into the world.
-RIGLESS_EXPORT const float* bake_maps(ObjectHandle bake) { return bakes[bake].bake.maps().data()->data(); }
 
 RIGLESS_EXPORT const BakeRoot* bake_root(ObjectHandle bake) {
   const BodyBake& b = bakes[bake];

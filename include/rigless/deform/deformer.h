@@ -51,9 +51,9 @@ class Deformer {
   // size_mismatch (rigidity).
   RIGLESS_COLD Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
-  // Binds a graph of V nodes as a surface is bound: neighbours, and a weight above 0 for each directed edge, the same both
-  // ways. Allocates. On failure the old binding stays.
-  // Errors: not_finite (node, also for a rigidity that is not above 0); size_mismatch (weights, rigidity).
+  // Binds a graph of V nodes as a surface is bound: neighbours, and a weight above 0 for each directed edge, the same
+  // both ways. Allocates. On failure the old binding stays. Errors: not_finite (node, also for a rigidity that is not
+  // above 0); size_mismatch (weights, rigidity).
   RIGLESS_COLD Status bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
                                  const DeformerOptions<S>& options = {});
 

@@ -29,7 +29,6 @@ class Bake {
     performance_ = &performance;
     volume_ = volume;
     positions_.resize(to_size(body.vertices()));
-    maps_.resize(body.transforms().size());
     lowest_.assign(to_size(performance.frames), std::numeric_limits<S>::quiet_NaN());
   }
 
@@ -59,13 +58,6 @@ class Bake {
       positions_[v] = Vec3<S>(c * p.x() + s * p.z(), p.y(), c * p.z() - s * p.x()) + root_.position;
     }
     return positions_;
-  }
-
-  // N, likewise: the maps with which the nodes of a solid carry its mesh into the world. No allocation.
-  Span<const detail::NodeMap<S>> maps() {
-    const Mat3<S> turn = Eigen::AngleAxis<S>(root_.yaw, Vec3<S>::UnitY()).toRotationMatrix();
-    detail::node_maps<S>(body_->solid(), body_->transforms(), turn, root_.position, maps_);
-    return maps_;
   }
 
   const Root& root() const { return root_; }
@@ -103,9 +95,8 @@ class Bake {
   Body<S>* body_ = nullptr;
   const Performance<S>* performance_ = nullptr;
   S volume_ = 1;
-  std::vector<Vec3<S>> positions_;        // V
-  std::vector<detail::NodeMap<S>> maps_;  // N
-  std::vector<S> lowest_;                 // T: y of the lowest local vertex; NaN until it is known
+  std::vector<Vec3<S>> positions_;  // V
+  std::vector<S> lowest_;           // T: y of the lowest local vertex; NaN until it is known
   Root root_;
 };
 

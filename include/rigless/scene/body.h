@@ -9,7 +9,6 @@
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
 #include "rigless/scene/detail/drag.h"
-#include "rigless/scene/detail/node_maps.h"
 
 namespace rigless {
 
@@ -93,12 +92,6 @@ class Body {
   // N, with which the nodes of a solid carry its mesh, as the last drag() or act() left them.
   Span<const NodeTransform<S>> transforms() const { return transforms_; }
 
-  // N, likewise: as a graphics card takes them. No allocation.
-  Span<const detail::NodeMap<S>> maps() {
-    detail::node_maps<S>(solid_, transforms_, Mat3<S>::Identity(), Vec3<S>::Zero(), maps_);
-    return maps_;
-  }
-
   // y of the lowest vertex, as the last drag() or act() left them. No allocation.
   S lowest() const {
     S lowest = std::numeric_limits<S>::max();
@@ -142,7 +135,6 @@ class Body {
     solve_ = Solve::surface;
     carried_ = {};
     transforms_ = {};
-    maps_ = {};
     return {};
   }
 
@@ -152,7 +144,6 @@ class Body {
     outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
     transforms_.resize(solid.rest.size());
-    maps_.resize(solid.rest.size());
     return {};
   }
 
@@ -181,7 +172,6 @@ class Body {
   detail::Drag<S> drag_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
-  std::vector<detail::NodeMap<S>> maps_;      // N
   std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest
   std::vector<Vec3<S>> carried_;              // V
   bool carried_is_new_ = false;

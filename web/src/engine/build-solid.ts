@@ -18,9 +18,7 @@ export interface BuiltSolid extends SolidCells {
 export function buildSolid({ positions, faces }: MeshInput, wasm: ArrayBuffer): BuiltSolid {
   const module = instantiateShapeAnalysis(wasm);
   const heap = new Heap(module);
-  const status = heap.lend([positions, faces], ([at, facesAt]) =>
-    module.build_solid(at, positions.length / 3, facesAt, faces.length / 3),
-  );
+  const status = heap.lend([positions, faces], ([at, facesAt]) => module.build_solid(at, positions.length / 3, facesAt, faces.length / 3));
   if (status !== 0) throw engineError(status, { kind: "mesh" });
   const { nodes, elements, edges, cell } = heap.read(solidInfoRow, module.solid_info());
   return {

@@ -61,14 +61,7 @@ const MODELS = [
   },
   { id: "ply", kind: "model", words: "PLY", extensions: ["ply"], mediaType: "model/ply", is: ({ head }) => /^ply\s/.test(head) },
   { id: "stl", kind: "model", words: "STL", extensions: ["stl"], mediaType: "model/stl" },
-  {
-    id: "gltf",
-    kind: "model",
-    words: "glTF",
-    extensions: ["gltf"],
-    mediaType: "model/gltf+json",
-    names: gltfNames,
-  },
+  { id: "gltf", kind: "model", words: "glTF", extensions: ["gltf"], mediaType: "model/gltf+json", names: gltfNames },
   {
     id: "glb",
     kind: "model",

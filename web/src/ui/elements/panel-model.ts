@@ -6,8 +6,12 @@ import { icon } from "../icons";
 import { base, panel } from "../styles";
 import { count } from "../../util/words";
 import { gallery, galleryStyle } from "./gallery";
+import "./switch";
 
 const AXES: readonly Axis[] = ["+y", "+z", "+x", "-y", "-z", "-x"];
+
+const SOLID = "A solid inside moves it, whatever it is made of";
+const SURFACE = "Its own surface is solved, as suits one closed piece";
 
 @customElement("rigless-panel-model")
 export class ModelPanel extends SessionElement {
@@ -47,7 +51,7 @@ export class ModelPanel extends SessionElement {
         <label class="pair">Up axis <select .value=${mesh.up} @change=${this.setUp}>
           ${AXES.map((axis) => html`<option value=${axis} ?selected=${axis === mesh.up}>${axis.toUpperCase()}</option>`)}</select></label>
       </div>
-      <rigless-switch label="Carry it by a solid" effect=${solid ? "A solid inside moves it, whatever it is made of" : "Its own surface is solved"}
+      <rigless-switch label="Carry it by a solid" effect=${solid ? SOLID : SURFACE}
         .on=${solid} @switch=${this.setSolid}></rigless-switch>
     </section>`;
   }
