@@ -8,13 +8,13 @@ import type {
   Engine,
   Frame,
   BoundMeshInput,
-  MeshInput,
   MeshReport,
   Motion,
   MotionInput,
   Performance,
   RetargetInput,
   ShapeAnalysis,
+  ShapeInput,
 } from "./types";
 
 /** A Worker, or what stands for one in Node. */
@@ -59,7 +59,7 @@ export class EngineClient implements Engine {
     return this.#call("setMesh", mesh, options);
   }
 
-  async analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis> {
+  async analyseShape(mesh: ShapeInput, options?: CallOptions): Promise<ShapeAnalysis> {
     const wasm = await this.shapeAnalysisWasm().catch((error: unknown) => {
       throw new EngineError("bad_mesh", `What looks at models could not be loaded: ${String(error)}.`);
     });
