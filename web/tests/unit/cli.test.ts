@@ -1,5 +1,5 @@
 import { type ChildProcess, execFile, spawn } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -228,7 +228,11 @@ describe("what cannot be done", () => {
       "bean.gltf needs %zz.bin; drop both together.",
     );
     expect(await refused({ "project.json": project({ mesh: { file: "/dev/zero" } }) })).toBe(
-      "project.json names /dev/zero: it is not a file.",
+      "project.json names /dev/zero: there is no such file.",
+    );
+    symlinkSync("/dev/zero", join(folder, "zero.obj"));
+    expect(await refused({ "project.json": project({ mesh: { file: "zero.obj" } }) })).toBe(
+      "project.json names zero.obj: it is not a file.",
     );
   });
 
