@@ -4,7 +4,7 @@ export default defineConfig({
   base: "./",
   appType: "mpa", // a missing file answers 404, not the page
   publicDir: false,
-  assetsInclude: ["**/*.glb", "**/*.bvh", "**/*.asf", "**/*.amc"],
+  assetsInclude: ["**/*.glb", "**/*.bvh", "**/*.asf", "**/*.amc", "**/draco3dgltf/*.wasm"],
   build: {
     target: "es2022",
     outDir: "dist",

@@ -5,6 +5,7 @@ import { defineConfig } from "vite";
 
 export default defineConfig({
   publicDir: false,
+  assetsInclude: ["**/draco3dgltf/*.wasm"],
   ssr: { noExternal: true },
   build: {
     ssr: true,

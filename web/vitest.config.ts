@@ -1,6 +1,7 @@
 import { defineConfig } from "vitest/config";
 
 export default defineConfig({
+  assetsInclude: ["**/draco3dgltf/*.wasm"],
   test: {
     include: ["tests/unit/**/*.test.ts"],
     environment: "node",

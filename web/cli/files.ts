@@ -1,11 +1,11 @@
 // Reading a project from disk, and writing whole files or none.
 
 import { readFile, rename, rm, stat, writeFile } from "node:fs/promises";
-import { basename, dirname, resolve } from "node:path";
+import { basename, dirname, isAbsolute, relative, resolve } from "node:path";
 
 import { parseProject } from "../src/document/project";
 import { formatNamed } from "../src/io/formats";
-import { decodeText, type NamedFile } from "../src/io/named-file";
+import { baseName, decodeText, type NamedFile } from "../src/io/named-file";
 import { openProject, type OpenedProject } from "../src/io/project-file";
 import type { FoundMotion } from "../src/io/read-motion-files";
 import { sortFiles } from "../src/io/sort-files";
@@ -23,9 +23,9 @@ export async function loadProject(path: string): Promise<OpenedProject> {
   if (text === null) throw new FileError(`${name} is neither a project.json nor a saved project.`);
   const { document } = parseProject(text, name);
   const folder = dirname(path);
-  const model = await read(resolve(folder, document.mesh.file), document.mesh.file, name);
-  const motion = await Promise.all(document.motion.files.map((file) => read(resolve(folder, file), file, name)));
-  const beside = await readBeside(model, folder);
+  const model = await read(ownPath(folder, document.mesh.file), document.mesh.file, name);
+  const motion = await Promise.all(document.motion.files.map((file) => read(ownPath(folder, file), file, name)));
+  const beside = await readBeside(model, dirname(ownPath(folder, document.mesh.file)));
   return openProject([{ ...project, name: "project.json" }, model, ...beside, ...motion]);
 }
 
@@ -73,23 +73,41 @@ async function readWhole(path: string): Promise<Uint8Array> {
   return new Uint8Array(await readFile(path));
 }
 
-/** The materials, pictures and buffers that a model names; the reader says what is missing. */
-async function readBeside(file: NamedFile, folder: string): Promise<NamedFile[]> {
+/** Where a project's model or motion lies: in its folder or one near it, but nothing else of the disk is anything's motion. */
+function ownPath(folder: string, name: string): string {
+  const { kind } = formatNamed(name) ?? {};
+  const near = !isAbsolute(name) && (kind === "model" || kind === "motion" || kind === "skeleton");
+  return near ? resolve(folder, name) : (within(folder, folder, name)[0] ?? resolve(folder, baseName(name)));
+}
+
+/** Where a name in a file of `folder` leads, if not out of `root`: names in files are others' words. */
+function within(root: string, folder: string, name: string): string[] {
+  const path = resolve(folder, name);
+  return isAbsolute(name) || relative(root, path).startsWith("..") ? [] : [path];
+}
+
+/**
+ * The materials, pictures and buffers that a model in the folder `root` names; one that is not where its name says, or whose name
+ * leads elsewhere, is looked for by its base name. The reader says what is missing.
+ */
+async function readBeside(file: NamedFile, root: string, folder = root): Promise<NamedFile[]> {
   const own = dirname(file.name);
   const format = formatNamed(file.name);
-  const names = format?.names?.(decodeText(file.bytes) ?? "", file.bytes) ?? [];
+  const names = format?.names?.(format.text?.(file.bytes) ?? decodeText(file.bytes) ?? "") ?? [];
   const found = await Promise.all(
     [...new Set(names)].map(async (inner) => {
-      const name = own === "." ? inner : `${own}/${inner}`;
-      const bytes = await readWhole(resolve(folder, name)).catch(() => null);
-      return bytes ? [{ name, bytes }] : [];
+      for (const path of [...within(root, folder, inner), resolve(folder, baseName(inner)), resolve(root, baseName(inner))]) {
+        const bytes = await readWhole(path).catch(() => null);
+        if (bytes) return [{ name: own === "." ? inner : `${own}/${inner}`, bytes, folder: dirname(path) }];
+      }
+      return [];
     }),
   );
   const files = found.flat();
   // Only a model goes deeper, and only to its own parts: a material names pictures, whatever it says.
   const parts = files.filter((other) => format?.kind === "model" && formatNamed(other.name)?.kind === "part");
-  const deeper = await Promise.all(parts.map((other) => readBeside(other, folder)));
-  return [...files, ...deeper.flat()];
+  const deeper = await Promise.all(parts.map((other) => readBeside(other, root, other.folder)));
+  return [...files.map(({ name, bytes }) => ({ name, bytes })), ...deeper.flat()];
 }
 
 /** Files that appear together at the end, under their names, or not at all. */

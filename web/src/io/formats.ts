@@ -34,6 +34,14 @@ export interface MotionFormat extends Format {
 /** First groups of all matches. No pattern may run over line ends or try one stretch of spaces in two ways: files can be long. */
 const all = (text: string, pattern: RegExp): string[] => [...text.matchAll(pattern)].map((match) => match[1].trim());
 
+const gltfNames = (text: string): string[] => all(text, /"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri);
+
+/** Its first chunk. */
+function glbText(bytes: Uint8Array): string {
+  const size = bytes.length < 20 ? 0 : new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  return new TextDecoder().decode(bytes.subarray(20, 20 + size));
+}
+
 const MODELS = [
   {
     id: "obj",
@@ -53,14 +61,7 @@ const MODELS = [
   },
   { id: "ply", kind: "model", words: "PLY", extensions: ["ply"], mediaType: "model/ply", is: ({ head }) => /^ply\s/.test(head) },
   { id: "stl", kind: "model", words: "STL", extensions: ["stl"], mediaType: "model/stl" },
-  {
-    id: "gltf",
-    kind: "model",
-    words: "glTF",
-    extensions: ["gltf"],
-    mediaType: "model/gltf+json",
-    names: (text) => all(text, /"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri),
-  },
+  { id: "gltf", kind: "model", words: "glTF", extensions: ["gltf"], mediaType: "model/gltf+json", names: gltfNames },
   {
     id: "glb",
     kind: "model",
@@ -68,6 +69,8 @@ const MODELS = [
     extensions: ["glb", "vrm"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
+    names: gltfNames,
+    text: glbText,
   },
   {
     id: "fbx",
@@ -76,7 +79,8 @@ const MODELS = [
     extensions: ["fbx"],
     mediaType: "application/octet-stream",
     is: ({ head, text }) => head.startsWith("Kaydara FBX Binary") || /^(;.*\s+)*FBXHeaderExtension\b/.test(text),
-    names: (text, bytes) => [...all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g), ...fbxPictures(bytes)],
+    names: (text) => all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g),
+    text: (bytes) => decodeText(bytes) ?? fbxPictures(bytes),
   },
   {
     id: "dae",

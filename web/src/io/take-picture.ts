@@ -1,13 +1,23 @@
 // A model's picture, looked at before anybody decodes it: a few bytes can promise gigabytes of pixels.
 
 import type { Picture } from "../gltf/document";
-import { wordList } from "./format";
+import { starts, wordList } from "./format";
 import type { BuiltPicture } from "./gltf/build";
 import { baseName, findFile, type NamedFile } from "./named-file";
 import { PICTURES, pictureFormat } from "./picture";
 
 /** Pixels of one picture: 8,192 x 8,192. */
 const MOST_PIXELS = 2 ** 26;
+
+function isKtx2(bytes: Uint8Array): boolean {
+  return starts(bytes, 0, 0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb);
+}
+
+/** What lies beside a model and is no picture is none of its business, nor of whoever gets the dance. */
+export function takeOutside(name: string, bytes: Uint8Array, notes: string[]): Picture | null {
+  const picture = takePicture(name, bytes, isKtx2(bytes) ? "image/ktx2" : undefined, notes);
+  return pictureFormat(bytes) || isKtx2(bytes) ? picture : null;
+}
 
 /** Its bytes are kept whatever they are; a note says why a picture is not drawn. `mime`: what its file says it is. */
 export function takePicture(name: string, bytes: Uint8Array, mime: string | undefined, notes: string[]): Picture {
@@ -17,7 +27,8 @@ export function takePicture(name: string, bytes: Uint8Array, mime: string | unde
     PICTURES.map((known) => known.words),
     "or",
   );
-  if (!format) notes.push(`${name} is not a ${words} picture; we show the model without it.`);
+  if (isKtx2(bytes)) notes.push(`${name} is a KTX2 picture, kept but not shown. Save the model with PNG, JPEG or WebP pictures to see it.`);
+  else if (!format) notes.push(`${name} is not a ${words} picture; we show the model without it.`);
   else if (width * height > MOST_PIXELS) {
     notes.push(`${name} has ${width.toLocaleString("en-US")} x ${height.toLocaleString("en-US")} pixels, too many to be shown.`);
   } else if (width * height === 0) notes.push(`${name} is a broken ${format.words} picture; we show the model without it.`);
@@ -29,17 +40,16 @@ export function takePicture(name: string, bytes: Uint8Array, mime: string | unde
 export function namedPicture(path: string, files: readonly NamedFile[], from: string, notes: string[]): BuiltPicture {
   const name = baseName(path);
   const file = findFile(files, path, from);
-  if (file) return { name, picture: takePicture(baseName(file.name), file.bytes, undefined, notes) };
+  if (file) return { name, picture: takeOutside(baseName(file.name), file.bytes, notes) };
   notes.push(`This model names ${name}; drop it too.`);
   return { name, picture: null };
 }
 
-/** Width and height of a PNG, JPEG, WebP or KTX2; zeros where they cannot be told. */
+/** Width and height of a PNG, JPEG or WebP; zeros where they cannot be told. */
 function pictureSize(bytes: Uint8Array): [number, number] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 30) return [0, 0];
   if (bytes[0] === 0x89) return [view.getUint32(16), view.getUint32(20)];
-  if (bytes[0] === 0xab) return [view.getUint32(20, true), Math.max(1, view.getUint32(24, true))];
   if (bytes[0] === 0x52) return webpSize(view);
   // JPEG: segments until the one that begins a frame.
   for (let at = 2; at + 9 < bytes.length; ) {

@@ -2,7 +2,7 @@
 
 import type { Gltf, GltfDocument, Picture } from "../../gltf/document";
 import { baseName, decodeUri, findFile, ModelError, type NamedFile } from "../named-file";
-import { takePicture } from "../take-picture";
+import { takeOutside, takePicture } from "../take-picture";
 import { broken, checkAccessors, checkJson, checkViews } from "./check";
 import { expand, forgetFallbacks, isPacked } from "./expand";
 
@@ -80,7 +80,7 @@ function imagesOf(
       missing.add(name);
       return null;
     }
-    return takePicture(name, bytes, typeof mimeType === "string" ? mimeType : undefined, notes);
+    return named ? takeOutside(name, bytes, notes) : takePicture(name, bytes, typeof mimeType === "string" ? mimeType : undefined, notes);
   });
   if (missing.size > 0) notes.push(`This model names ${[...missing].join(", ")}; drop ${missing.size > 1 ? "them" : "it"} too.`);
   return images;
