@@ -93,7 +93,7 @@ function within(root: string, folder: string, name: string): string[] {
 async function readBeside(file: NamedFile, root: string, folder = root): Promise<NamedFile[]> {
   const own = dirname(file.name);
   const format = formatNamed(file.name);
-  const names = format?.names?.(decodeText(file.bytes) ?? "", file.bytes) ?? [];
+  const names = format?.names?.(format.text?.(file.bytes) ?? decodeText(file.bytes) ?? "") ?? [];
   const found = await Promise.all(
     [...new Set(names)].map(async (inner) => {
       for (const path of [...within(root, folder, inner), resolve(folder, baseName(inner)), resolve(root, baseName(inner))]) {

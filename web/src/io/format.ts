@@ -16,8 +16,10 @@ export interface Format {
   readonly mediaType: string;
   /** Whether its content says so; without it only its name does. */
   readonly is?: (content: Content) => boolean;
-  /** Files that it names, relative to it; `text` is "" where it is none. */
-  readonly names?: (text: string, bytes: Uint8Array) => string[];
+  /** Files that it names, relative to it. */
+  readonly names?: (text: string) => string[];
+  /** Of a binary format: the text in which it names them. */
+  readonly text?: (bytes: Uint8Array) => string;
 }
 
 /** What a file is recognised by. */

@@ -69,7 +69,8 @@ const MODELS = [
     extensions: ["glb", "vrm"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
-    names: (_, bytes) => gltfNames(glbText(bytes)),
+    names: gltfNames,
+    text: glbText,
   },
   {
     id: "fbx",
@@ -78,7 +79,8 @@ const MODELS = [
     extensions: ["fbx"],
     mediaType: "application/octet-stream",
     is: ({ head, text }) => head.startsWith("Kaydara FBX Binary") || /^(;.*\s+)*FBXHeaderExtension\b/.test(text),
-    names: (text, bytes) => [...all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g), ...fbxPictures(bytes)],
+    names: (text) => all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g),
+    text: (bytes) => decodeText(bytes) ?? fbxPictures(bytes),
   },
   {
     id: "dae",
