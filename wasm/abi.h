@@ -15,6 +15,7 @@
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/retarget.h"
 #include "rigless/scene/detail/stage_transform.h"
+#include "rigless/scene/body.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless_wasm {
@@ -32,6 +33,8 @@ using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
 using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
+using Solve = rigless::Solve;
+using ConstraintKind = rigless::ConstraintKind;
 
 // Constants that both sides know.
 inline constexpr double fps = rigless::performance_fps;              // of every performance
@@ -70,11 +73,32 @@ static_assert(sizeof(Number) == sizeof(double) && sizeof(Vector) == 3 * sizeof(d
 // Where a mesh is held.
 struct ControlInput {
   Number vertex;
-  Number radius;  // of the disc along the surface, metres
+  Number radius;  // of the disc along the surface or of the ball in the solid, metres
+  Flag slab;      // of a solid: holds a level slab instead of a ball
 };
 
 inline rigless::Control<float> control(const ControlInput& c) {
-  return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value)};
+  return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value), c.slab.value != 0};
+}
+
+// Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres.
+struct ConstraintInput {
+  NameOf<ConstraintKind> kind;
+  Number control;
+  Number frame;
+  Vector value;
+};
+
+inline void add(const ConstraintInput& c, rigless::Constraints<double>& to) {
+  const auto control = static_cast<std::int32_t>(c.control.value);
+  const auto frame = static_cast<std::int32_t>(c.frame.value);
+  const rigless::Vec3<double> value(c.value.x.value, c.value.y.value, c.value.z.value);
+  switch (static_cast<ConstraintKind>(c.kind.value)) {
+    case ConstraintKind::position:
+      return to.positions.push_back({control, frame, value, {true, true, true}});
+    case ConstraintKind::velocity:
+      return to.velocities.push_back({control, frame, value, {true, true, true}});
+  }
 }
 
 struct BodyReport {
@@ -86,6 +110,13 @@ struct BodyReport {
   Number degenerate_faces;
   Number floor;   // height of the lowest vertex above y = 0
   Number height;  // from there to the highest vertex
+};
+
+// What is solved inside a mesh; empty when its surface is.
+struct SolidInfo {
+  Number nodes;     // N
+  Number elements;  // E
+  Number cell;      // edge of an element, metres
 };
 
 struct BakeRoot {

@@ -50,7 +50,7 @@ function describe() {
     ([, name, of, comment = ""]) => ({ name, comment, value: constant(of) }),
   );
   const structs = [...text.matchAll(/((?:^\/\/ .*\n)*)^struct (\w+) \{\n([^}]*)^\};$/gm)]
-    .filter(([, , , body]) => !body.includes("value;") && !body.includes("template"))
+    .filter(([, , , body]) => !body.includes("double value;") && !body.includes("template"))
     .map(([, comment, name, body]) => ({
       name,
       comment: comment
@@ -146,7 +146,8 @@ const fitting = (...texts) => texts.find((text) => text.split("\n").every((line)
 
 function askedText({ name, fields }) {
   const values = fields.map(({ name: field, type }) => encode(type, `one.${camel(field)}`));
-  return `export const write${name} = (one: ${name}): number[] => [${values.join(", ")}];`;
+  const head = `export const write${name} = (one: ${name}): number[] => [`;
+  return fitting(`${head}${values.join(", ")}];`, `${head}\n${values.map((value) => `  ${value},\n`).join("")}];`);
 }
 
 function rowText({ name, fields }) {
@@ -192,9 +193,18 @@ function enumText({ name, names }) {
 
 const note = (what) => `// ${what} Made by wasm/abi.mjs from wasm/abi.h: change that.\n`;
 
+/** The enums that structs are written and read with: their types, and the names where a field is decoded or encoded. */
+const told = description.enums.filter(({ name }) => description.structs.some(({ fields }) => fields.some(({ type }) => type === `NameOf<${name}>`)));
+const imported = told.flatMap(({ name }) => [`${upper(name)}_NAMES`, `type ${name}`]);
+const names = fitting(
+  `import { ${imported.join(", ")} } from "../util/constants";\n`,
+  `import {\n${imported.map((one) => `  ${one},\n`).join("")}} from "../util/constants";\n`,
+);
+
 const memory = "wasm/memory.cpp";
 const abi = [
   note("The boundary to the core."),
+  names,
   `/** A module that answers another number to abi() was built from another description. */\nexport const ABI = ${hash};\n`,
   `/** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -212,14 +222,14 @@ export interface Row<T> {
   read(n: Float64Array): T;
 }
 `,
-  ...description.enums.map(enumText),
   ...description.structs.map(structText),
   moduleText("RiglessExports", [memory, "wasm/surface.cpp", "wasm/motion.cpp", "wasm/performance.cpp"]),
   moduleText("ShapeAnalysisExports", [memory, "wasm/shape_analysis.cpp"]),
 ].join("\n");
 const constants = [
-  note("Numbers that the core knows too."),
+  note("Numbers and names that the core knows too."),
   ...description.constants.map(({ name, comment, value }) => `${doc(comment)}export const ${name.toUpperCase()} = ${value};\n`),
+  ...description.enums.map(enumText),
 ].join("\n");
 
 function write(path, text) {

@@ -12,11 +12,13 @@ abi=$(node wasm/abi.mjs)
 flags=(-std=c++17 -DNDEBUG "-DRIGLESS_ABI=$abi" -DEIGEN_NO_IO -msimd128 -fno-exceptions -fno-rtti
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Wno-c++20-designator -Iinclude -isystem /usr/include/eigen3)
 link=(--no-entry -sALLOW_MEMORY_GROWTH=1 -sMALLOC=emmalloc -sFILESYSTEM=0)
-em++ "${flags[@]}" -O2 -mllvm -inline-threshold=25 -fno-vectorize -fno-slp-vectorize -c wasm/surface.cpp -o "$objects/surface.o"
-em++ "${flags[@]}" -O1 -c wasm/performance.cpp -o "$objects/performance.o"
-em++ "${flags[@]}" -Oz -c wasm/motion.cpp -o "$objects/motion.o"
-em++ "${flags[@]}" -Oz -c wasm/memory.cpp -o "$objects/memory.o"
+object() { em++ "${flags[@]}" "${@:2}" -c "wasm/$1.cpp" -o "$objects/$1.o"; }
+object memory -Oz
+analysis() { em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp "$objects/memory.o" "${link[@]}" -o "$objects/shape-analysis.wasm"; }
+{ object performance -O1 && object motion -Oz; } & motions=$!
+{ object surface -O2 -mllvm -inline-threshold=25 -fno-vectorize -fno-slp-vectorize && analysis; } & surfaces=$!
+wait $motions
+wait $surfaces
 em++ -Os "$objects"/{surface,performance,motion,memory}.o "${link[@]}" -o "$objects/rigless.wasm"
-em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp "$objects/memory.o" "${link[@]}" -o "$objects/shape-analysis.wasm"
 mv "$objects/shape-analysis.wasm" "$(dirname "$1")/shape-analysis.wasm"
 mv "$objects/rigless.wasm" "$1"

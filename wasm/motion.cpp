@@ -3,7 +3,6 @@
 
 #include "exports.h"
 #include "motions.h"
-#include "rigless/motion/parse_bvh.h"
 
 using rigless::Span;
 using rigless::Status;
@@ -31,42 +30,28 @@ void narrow(Span<const Vec3d> points, std::vector<float>& out) {
   }
 }
 
-Status stage(rigless::Clip<double>& clip, Motion& motion) {
-  motion.file = rigless::standardise<double>(clip, motion.notes.rest);
-  if (const Status status = rigless::stage_motion(clip, motion.file.roles, motion.staged); !status.ok()) return status;
-  motion.places = motion.staged.roles.places(motion.staged.clip.joints());
-  narrow(motion.staged.clip.positions, motion.positions);
-  narrow(motion.staged.local, motion.local);
-  motion.yaw.assign(motion.staged.yaw.begin(), motion.staged.yaw.end());
-  return {};
-}
-
 }  // namespace
 
 RIGLESS_EXPORT ObjectHandle motion_new() { return motions.add(); }
 
 RIGLESS_EXPORT void motion_delete(ObjectHandle motion) { motions.remove(motion); }
 
-// UTF-8 text.
-RIGLESS_EXPORT PackedStatus motion_read_bvh(ObjectHandle motion, const char* text, std::int32_t bytes) {
-  rigless::Clip<double> clip;
+// UTF-8 texts of a motion in any format, and of the skeleton beside it, which may be empty.
+RIGLESS_EXPORT PackedStatus motion_read(ObjectHandle motion, const char* text, std::int32_t bytes, const char* skeleton,
+                                        std::int32_t skeleton_bytes) {
   Motion& m = motions[motion];
-  if (const Status status = rigless::parse_bvh(text_view(text, bytes), clip, &m.notes); !status.ok())
-    return pack(status);
-  return pack(stage(clip, m));
+  const Status status =
+      rigless::detail::read_motion(text_view(text, bytes), text_view(skeleton, skeleton_bytes), m, m.in_skeleton);
+  if (!status.ok()) return pack(status);
+  m.places = m.staged.roles.places(m.staged.clip.joints());
+  narrow(m.staged.clip.positions, m.positions);
+  narrow(m.staged.local, m.local);
+  m.yaw.assign(m.staged.yaw.begin(), m.staged.yaw.end());
+  return 0;
 }
 
-RIGLESS_EXPORT PackedStatus motion_read_asf(ObjectHandle motion, const char* text, std::int32_t bytes) {
-  return pack(rigless::parse_asf(text_view(text, bytes), motions[motion].skeleton));
-}
-
-// On the skeleton of motion_read_asf().
-RIGLESS_EXPORT PackedStatus motion_read_amc(ObjectHandle motion, const char* text, std::int32_t bytes) {
-  Motion& m = motions[motion];
-  rigless::Clip<double> clip;
-  const Status status = rigless::parse_amc(text_view(text, bytes), m.skeleton, clip, &m.notes);
-  return pack(status.ok() ? stage(clip, m) : status);
-}
+// 1 if what motion_read() refused is the skeleton.
+RIGLESS_EXPORT std::int32_t motion_refused_skeleton(ObjectHandle motion) { return motions[motion].in_skeleton ? 1 : 0; }
 
 RIGLESS_EXPORT const MotionInfo* motion_info(ObjectHandle motion) {
   const rigless::StagedMotion<double>& m = motions[motion].staged;

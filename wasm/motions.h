@@ -2,18 +2,13 @@
 #pragma once
 
 #include "handle_table.h"
-#include "rigless/motion/parse_acclaim.h"
-#include "rigless/motion/standardise.h"
-#include "rigless/scene/staged_motion.h"
+#include "rigless/scene/detail/read_motion.h"
 
 namespace rigless_wasm {
 
 // A motion as it was read, and what of it goes to the page as float32.
-struct Motion {
-  rigless::AcclaimSkeleton skeleton;
-  rigless::ParseNotes notes;
-  rigless::Standardised<double> file;
-  rigless::StagedMotion<double> staged;
+struct Motion : rigless::detail::MotionRead {
+  bool in_skeleton = false;                // what was wrong
   std::vector<rigless::BodyPlace> places;  // J
   std::vector<float> positions, local, yaw;
 };

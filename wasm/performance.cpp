@@ -11,6 +11,7 @@ using rigless::Span;
 using rigless::Status;
 using rigless_wasm::answer;
 using rigless_wasm::Ask;
+using rigless_wasm::ConstraintInput;
 using rigless_wasm::HandleTable;
 using rigless_wasm::Miss;
 using rigless_wasm::motions;
@@ -53,17 +54,12 @@ RIGLESS_EXPORT ObjectHandle performance_new() { return plays.add(); }
 
 RIGLESS_EXPORT void performance_delete(ObjectHandle performance) { plays.remove(performance); }
 
-// What the user asks of a performance, before performance_begin(). The control is at x, y, z in that frame on the axes
-// of the mask (bit k for axis k)
-RIGLESS_EXPORT void performance_place(ObjectHandle performance, std::int32_t control, std::int32_t frame,
-                                      std::int32_t axes, double x, double y, double z) {
-  const rigless::AxisMask mask = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
-  plays[performance].constraints.positions.push_back({control, frame, {x, y, z}, mask});
-}
-
-// or does not move from the frame before.
-RIGLESS_EXPORT void performance_still(ObjectHandle performance, std::int32_t control, std::int32_t frame) {
-  plays[performance].constraints.velocities.push_back({control, frame, Vec3d::Zero(), {true, true, true}});
+// What the user asks of a performance, before performance_begin(): first its constraints.
+RIGLESS_EXPORT void performance_constrain(ObjectHandle performance, const ConstraintInput* constraints,
+                                          std::int32_t count) {
+  for (const ConstraintInput& one : view<ConstraintInput>(constraints, count)) {
+    rigless_wasm::add(one, plays[performance].constraints);
+  }
 }
 
 // The control stands in [begin, end), and in no other run of the motion.
@@ -87,21 +83,26 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
   plays[performance].mirror_normal = {x, y, z};
 }
 
-// pairs: C; rest: C x 3, the controls at rest; floor, height: of the mesh at rest; example_joints: N x J x 3 body-local
-// metres, NaN where unknown; example_controls: N x C x 3. The motion must stay until performance_progress() is 1.
+// pairs: C; rest: C x 3, the controls at rest; limbs: C x 4, of body_limbs(); floor, height: of the mesh at rest;
+// example_joints: N x J x 3 body-local metres, NaN where unknown; example_controls: N x C x 3. The motion must stay
+// until performance_progress() is 1.
 RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
-                                              const float* rest, std::int32_t controls, double floor, double height,
-                                              const float* example_joints, const float* example_controls,
-                                              std::int32_t examples, double smoothness, std::int32_t ground_contact,
-                                              std::int32_t in_place) {
+                                              const float* rest, const float* limbs, std::int32_t controls,
+                                              double floor, double height, const float* example_joints,
+                                              const float* example_controls, std::int32_t examples, double smoothness,
+                                              std::int32_t ground_contact, std::int32_t in_place) {
   const rigless::StagedMotion<double>& staged = motions[motion].staged;
   const std::vector<Vec3d> rest_controls = widen(rest, controls);
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
   const std::vector<Vec3d> places = widen(example_controls, examples * controls);
+  std::vector<rigless::ModelLimb<double>> model_limbs;
+  for (const auto& [x, y, z, length] : view<std::array<float, 4>>(limbs, controls))
+    model_limbs.push_back({rigless::Vec3<float>(x, y, z).cast<double>(), static_cast<double>(length)});
   rigless::PerformanceInput<double> input;
   input.motion = &staged;
   input.pairs = view<std::int32_t>(pairs, controls);
   input.rest = rest_controls;
+  input.limbs = model_limbs;
   input.floor = floor;
   input.height = height;
   input.examples = {joints, places};
@@ -148,7 +149,7 @@ RIGLESS_EXPORT const PerformanceInfo* performance_info(ObjectHandle performance)
   });
 }
 
-// The constraints count through the places, then those that are still.
+// The constraints count kind by kind.
 RIGLESS_EXPORT const Miss* performance_miss(ObjectHandle performance, std::int32_t constraint) {
   const rigless::Performance<float>& p = plays[performance].performance;
   const auto k = static_cast<std::size_t>(constraint);

@@ -14,6 +14,7 @@ using rigless_wasm::HandleTable;
 using rigless_wasm::ObjectHandle;
 using rigless_wasm::pack;
 using rigless_wasm::PackedStatus;
+using rigless_wasm::SolidInfo;
 using rigless_wasm::view;
 
 namespace {
@@ -38,8 +39,9 @@ RIGLESS_EXPORT void body_delete(ObjectHandle body) { bodies.remove(body); }
 
 // positions: V x 3; faces: F x 3. Forgets controls. On failure the body keeps what it had.
 RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
-                                          const std::int32_t* faces, std::int32_t face_count) {
-  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count)));
+                                          const std::int32_t* faces, std::int32_t face_count, std::int32_t solve) {
+  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
+                                    static_cast<rigless::Solve>(solve)));
 }
 
 RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
@@ -70,17 +72,42 @@ RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, s
   return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0));
 }
 
-RIGLESS_EXPORT const float* body_positions(ObjectHandle body) {
-  return bodies[body].deformer().positions().data()->data();
+RIGLESS_EXPORT const float* body_positions(ObjectHandle body) { return bodies[body].positions().data()->data(); }
+
+// The solid inside the mesh, when that is solved: N x 3 nodes at rest, E x 8 of them, V elements or -1; and N x 12,
+// rows of (B | b), how they carry the mesh as body_drag() left it.
+RIGLESS_EXPORT const SolidInfo* body_solid(ObjectHandle body) {
+  const rigless::Solid<float>& solid = bodies[body].solid();
+  return answer<SolidInfo>({.nodes = solid.nodes(), .elements = solid.elements(), .cell = solid.cell});
 }
 
-RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) {
-  return static_cast<double>(bodies[body].volume_ratio(bodies[body].deformer().positions()));
+RIGLESS_EXPORT const float* body_solid_nodes(ObjectHandle body) { return bodies[body].solid().rest.data()->data(); }
+
+RIGLESS_EXPORT const std::int32_t* body_solid_elements(ObjectHandle body) {
+  return bodies[body].solid().element.data()->data();
 }
+
+RIGLESS_EXPORT const std::int32_t* body_solid_element_of(ObjectHandle body) {
+  return bodies[body].solid().element_of.data();
+}
+
+RIGLESS_EXPORT const float* body_maps(ObjectHandle body) { return bodies[body].maps().data()->data(); }
+
+RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) { return static_cast<double>(bodies[body].volume_ratio()); }
 
 // C x 3, at rest
 RIGLESS_EXPORT const float* body_rest_controls(ObjectHandle body) {
   return bodies[body].rest_controls().data()->data();
+}
+
+// C x 4: where the limb at whose tip a control lies leaves the trunk, and its length from there. Kept until the next
+// call.
+RIGLESS_EXPORT const float* body_limbs(ObjectHandle body) {
+  static std::vector<std::array<float, 4>> limbs;
+  limbs.clear();
+  for (const auto& limb : bodies[body].limbs())
+    limbs.push_back({limb.base.x(), limb.base.y(), limb.base.z(), limb.length});
+  return limbs.data()->data();
 }
 
 RIGLESS_EXPORT ObjectHandle bake_new() { return bakes.add(); }
@@ -96,11 +123,11 @@ RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_
   b.body = &bodies[body];
   const auto assign = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
   b.performance.frames = frames;
-  assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->deformer().controls()));
+  assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->controls()));
   assign(b.performance.yaw, view<float>(yaw, frames));
   assign(b.performance.travel, view<std::array<float, 2>>(travel, frames));
   assign(b.performance.flights, view<rigless::Flight>(flights, flight_count));
-  b.bake.bind(b.body->deformer(), b.performance, volume);
+  b.bake.bind(*b.body, b.performance, volume);
 }
 
 // Makes a frame: bake_positions(), V x 3 in the world, and bake_root().
@@ -110,11 +137,14 @@ RIGLESS_EXPORT PackedStatus bake_frame(ObjectHandle bake, std::int32_t frame) {
 
 RIGLESS_EXPORT const float* bake_positions(ObjectHandle bake) { return bakes[bake].bake.positions().data()->data(); }
 
+// N x 12, into the world.
+RIGLESS_EXPORT const float* bake_maps(ObjectHandle bake) { return bakes[bake].bake.maps().data()->data(); }
+
 RIGLESS_EXPORT const BakeRoot* bake_root(ObjectHandle bake) {
   const BodyBake& b = bakes[bake];
   return answer<BakeRoot>({
       .position = b.bake.root().position,
       .yaw = b.bake.root().yaw,
-      .volume_ratio = b.body->volume_ratio(b.bake.positions()),
+      .volume_ratio = b.body->volume_ratio(),
   });
 }

@@ -22,12 +22,7 @@ declare class TextDecoder {
   decode(bytes: Uint8Array): string;
 }
 
-/** Only passed on, from the port that decodes it to the stage that draws it. */
-interface ImageBitmap {
-  readonly width: number;
-  readonly height: number;
-  close(): void;
-}
+declare function atob(text: string): string;
 
 /** Only named, by what the engine says of itself. */
 declare namespace WebAssembly {

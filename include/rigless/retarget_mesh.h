@@ -33,7 +33,8 @@ struct MeshPoint {
   std::int32_t vertex = -1;            // -1: the vertex nearest to `position` that no point before has
   Vec3<S> position = Vec3<S>::Zero();  // the mesh's own units and axes; not read where a vertex is given
   std::string joint;                   // name, or part of the body ("left foot"); empty: follows the whole pose
-  S radius = S(default_radius);        // of what moves as one piece with it, along the surface, in mesh heights
+  S radius = S(default_radius);        // of what moves as one piece with it, in mesh heights: see Control
+  bool slab = false;                   // of the trunk: see Control
 };
 
 // "When the human does this, my mesh does that."
@@ -56,6 +57,7 @@ struct RetargetMeshInput {
 template <class S>
 struct RetargetMeshOptions {
   std::optional<MeshAxes> axes;          // not said: Y up and Z front, but guessed from the shape when the points are
+  Solve solve = Solve::solid;            // surface: the mesh's own, as in the paper; for clean closed ones
   S volume = 1;                          // lambda_v: 0 rotations only, 1 natural, 3 exaggerated
   PerformanceSettings<double> settings;  // smoothness, contact with the ground, travel
 };
@@ -149,8 +151,11 @@ Status pose_examples(Span<const MeshPose<S>> poses, std::size_t points, const St
 
 template <class S>
 Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options) {
-  StagedMotion<double> motion;
-  if (const Status status = detail::read_motion(input.motion, input.skeleton, motion); !status.ok()) return status;
+  detail::MotionRead read;
+  bool in_skeleton = false;
+  if (const Status status = detail::read_motion(input.motion, input.skeleton, read, in_skeleton); !status.ok())
+    return status;
+  const StagedMotion<double>& motion = read.staged;
 
   const MeshAxes axes = options.axes.value_or(MeshAxes{});
   Posture<S> posture = detail::posture_of<S>(axes);
@@ -168,7 +173,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   made->stage = detail::stage_transform(input.vertices, posture);
   std::vector<Vec3<S>> rest;
   for (const Vec3<S>& p : input.vertices) rest.push_back(made->stage.to_stage(p));
-  if (const Status status = made->body.set_mesh(rest, input.faces); !status.ok()) return status;
+  if (const Status status = made->body.set_mesh(rest, input.faces, options.solve); !status.ok()) return status;
 
   std::vector<std::int32_t> joints;  // C
   made->points.assign(input.points.begin(), input.points.end());
@@ -182,7 +187,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
     const auto vertex = to_size(point.vertex);
     point.position = input.vertices[vertex];
     point.joint = joints[c] < 0 ? "" : nth(motion.clip.skeleton.names, joints[c]);
-    controls.push_back({point.vertex, point.radius * static_cast<S>(stage_height)});
+    controls.push_back({point.vertex, point.radius * static_cast<S>(stage_height), point.slab});
   }
   if (const Status status = made->body.set_controls(controls); !status.ok()) return status;
 
@@ -193,10 +198,12 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   std::vector<Vec3<double>> resting;
   for (const Vec3<S>& p : made->body.rest_controls()) resting.push_back(p.template cast<double>());
   const detail::Bounds<S> box = detail::bounds(made->body.rest());
+  const std::vector<ModelLimb<double>> limbs = detail::model_limbs(made->body);
   PerformanceInput<double> play;
   play.motion = &motion;
   play.pairs = joints;
   play.rest = resting;
+  play.limbs = limbs;
   play.floor = static_cast<double>(box.low.y());
   play.height = static_cast<double>(box.height());
   play.examples = examples.view();
@@ -204,7 +211,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   Performance<double> performance;
   if (const Status status = build_performance(play, performance); !status.ok()) return status;
   made->performance = performance_cast<S>(performance);
-  made->bake.bind(made->body.deformer(), made->performance, options.volume);
+  made->bake.bind(made->body, made->performance, options.volume);
   made_ = std::move(made);
   return {};
 }
@@ -217,7 +224,7 @@ Status retarget_mesh(const RetargetMeshInput<S>& input, const RetargetMeshOption
 template <class S>
 Status RetargetedMesh<S>::frame(std::int32_t f, Span<Vec3<S>> out) {
   if (f < 0 || f >= frames()) return {Error::index_out_of_range, f};
-  if (out.size() != made_->bake.positions().size()) return {Error::size_mismatch, -1};
+  if (out.size() != made_->body.rest().size()) return {Error::size_mismatch, -1};
   if (const Status status = made_->bake.frame(f); !status.ok()) return status;
   const Span<const Vec3<S>> world = made_->bake.positions();
   for (std::size_t v = 0; v < out.size(); ++v) out[v] = made_->stage.from_stage(world[v]);
@@ -226,7 +233,7 @@ Status RetargetedMesh<S>::frame(std::int32_t f, Span<Vec3<S>> out) {
 
 template <class S>
 std::vector<Vec3<S>> RetargetedMesh<S>::all_frames() {
-  const std::size_t vertices = made_ ? made_->bake.positions().size() : 0;
+  const std::size_t vertices = made_ ? made_->body.rest().size() : 0;
   std::vector<Vec3<S>> all(to_size(frames()) * vertices);
   for (std::int32_t f = 0; f < frames(); ++f) {
     const Status made = frame(f, {all.data() + to_size(f) * vertices, vertices});

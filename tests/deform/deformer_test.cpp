@@ -86,7 +86,7 @@ void check_run(const json::Value& golden, const json::Value& run) {
 // L x = L rest with the discs' vertices carried along unturned (Eq 2.8), by a dense solve.
 Points naive_laplacian_edit(const Deformer<double>& deformer, const Points& targets) {
   const Cells<double>& cells = deformer.cells();
-  const Discs& discs = deformer.discs();
+  const Discs<double>& discs = deformer.discs();
   const auto n = static_cast<Eigen::Index>(cells.size());
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n), rest(n, 3);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -104,7 +104,7 @@ Points naive_laplacian_edit(const Deformer<double>& deformer, const Points& targ
     const auto c = static_cast<std::size_t>(discs.owner[i]);
     L.row(row).setZero();
     L(row, row) = 1;
-    b.row(row) = (targets[c] + cells.rest[i] - cells.rest[static_cast<std::size_t>(discs.center[c])]).transpose();
+    b.row(row) = (targets[c] + cells.rest[i] - discs.center[c]).transpose();
   }
   const Eigen::MatrixXd x = L.partialPivLu().solve(b);
   Points surface;

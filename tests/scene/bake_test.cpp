@@ -34,7 +34,7 @@ template <class S>
 void check_dance(Dancer<S>& dancer, Performance<S>& performance) {
   REQUIRE(dancer.perform({}, performance).ok());
   Bake<S> bake;
-  bake.bind(dancer.body.deformer(), performance, S(1));
+  bake.bind(dancer.body, performance, S(1));
 
   const std::size_t controls = performance.control_count();
   std::vector<Vec3<S>> held;
@@ -47,7 +47,7 @@ void check_dance(Dancer<S>& dancer, Performance<S>& performance) {
     const bool flies = std::any_of(performance.flights.begin(), performance.flights.end(), over);
     deepest = std::max(deepest, -low);
     if (!flies) highest = std::max(highest, low);
-    const S ratio = dancer.body.volume_ratio(bake.positions());
+    const S ratio = dancer.body.volume_ratio();
     ratio_low = std::min(ratio_low, ratio);
     ratio_high = std::max(ratio_high, ratio);
     for (const auto& control : dancer.controls)
@@ -72,7 +72,7 @@ void check_frames_stand_alone(Dancer<S>& dancer) {
   REQUIRE(dancer.perform({}, performance).ok());
   performance.flights = {{8, 16}};
   Bake<S> played, alone;
-  played.bind(dancer.body.deformer(), performance, S(1));
+  played.bind(dancer.body, performance, S(1));
   std::vector<Vec3<S>> in_flight, after;
   for (std::int32_t f = 0; f <= 20; ++f) {
     const auto vertices = baked(played, f);
@@ -82,7 +82,7 @@ void check_frames_stand_alone(Dancer<S>& dancer) {
   std::vector<Vec3<S>> targets(dancer.body.rest_controls().begin(), dancer.body.rest_controls().end());
   targets[4].y() += S(0.5);
   REQUIRE(dancer.body.drag(targets, S(3), false).ok());
-  alone.bind(dancer.body.deformer(), performance, S(1));
+  alone.bind(dancer.body, performance, S(1));
   CHECK(baked(alone, 20) == after);
   CHECK(baked(alone, 12) == in_flight);
   CHECK(baked(played, 12) == in_flight);
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("a hopping cactus leaves the floor, stands on it and does not
   check_dance(cactus, performance);
   REQUIRE(performance.flights.size() > 0);
   Bake<S> bake;
-  bake.bind(cactus.body.deformer(), performance, S(1));
+  bake.bind(cactus.body, performance, S(1));
   const Flight& leap = performance.flights[0];
   REQUIRE(bake.frame((leap.take_off + leap.landing) / 2).ok());
   CHECK(lowest<S>(bake.positions()) > S(0.02));
@@ -125,7 +125,7 @@ TEST_CASE("a cactus walks away, or on the spot") {
   REQUIRE(cactus.perform(settings, in_place).ok());
   Bake<double> bake;
   for (const Performance<double>* performance : {&away, &in_place}) {
-    bake.bind(cactus.body.deformer(), *performance, 1.0);
+    bake.bind(cactus.body, *performance, 1.0);
     double farthest = 0;
     for (std::int32_t f = 0; f < performance->frames; f += 10) {
       const auto vertices = baked(bake, f);
@@ -154,7 +154,7 @@ TEST_CASE("a flight is a throw between the heights at its ends") {
   REQUIRE(cactus.perform({}, performance).ok());
   performance.flights = {{10, 25}};
   Bake<double> bake;
-  bake.bind(cactus.body.deformer(), performance, 1.0);
+  bake.bind(cactus.body, performance, 1.0);
   std::vector<double> height;
   for (std::int32_t f = 10; f <= 25; ++f) {
     REQUIRE(bake.frame(f).ok());
@@ -173,7 +173,7 @@ TEST_CASE("a flight never goes through the floor") {
   const std::size_t controls = performance.control_count();
   for (std::size_t c = 3; c < 5; ++c) performance.controls[11 * controls + c].y() -= 0.3;  // its two edges
   Bake<double> bake;
-  bake.bind(cactus.body.deformer(), performance, 1.0);
+  bake.bind(cactus.body, performance, 1.0);
   REQUIRE(bake.frame(11).ok());
   CHECK(lowest<double>(bake.positions()) == doctest::Approx(0).epsilon(1e-12));
 }
@@ -184,7 +184,7 @@ TEST_CASE("a frame of a bake does not allocate") {
   REQUIRE(cactus.perform({}, performance).ok());
   performance.flights = {{10, 25}};
   Bake<float> bake;
-  bake.bind(cactus.body.deformer(), performance, 1.0F);
+  bake.bind(cactus.body, performance, 1.0F);
   const std::int64_t before = test::allocation_count;
   const bool made = bake.frame(12).ok() && bake.frame(30).ok();
   CHECK(test::allocation_count == before);

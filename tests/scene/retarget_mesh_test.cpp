@@ -117,7 +117,7 @@ std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
   for (const Vec3<S>& p : file) rest.push_back(onto(p));
 
   Body<S> body;
-  REQUIRE(body.set_mesh(rest, held.body.faces).ok());
+  REQUIRE(body.set_mesh(rest, held.body.faces, Solve::solid).ok());
   std::vector<Control<S>> controls;
   for (const MeshPoint<S>& point : held.points)
     controls.push_back({nearest(file, point.position), point.radius * S(1.7)});
@@ -134,10 +134,12 @@ std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
   const std::vector<Vec3<double>> pose(motion.local.begin() + 12 * motion.clip.joints(),
                                        motion.local.begin() + 13 * motion.clip.joints());
   const Bounds<S> box = bounds(body.rest());
+  const std::vector<ModelLimb<double>> limbs = detail::model_limbs(body);
   PerformanceInput<double> input;
   input.motion = &motion;
   input.pairs = pairs;
   input.rest = resting;
+  input.limbs = limbs;
   input.floor = static_cast<double>(box.low.y());
   input.height = static_cast<double>(box.height());
   input.examples = {pose, shown};
@@ -146,7 +148,7 @@ std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
   REQUIRE(build_performance(input, made).ok());
   const Performance<S> performance = performance_cast<S>(made);
   Bake<S> bake;
-  bake.bind(body.deformer(), performance, S(1.5));
+  bake.bind(body, performance, S(1.5));
   std::vector<Vec3<S>> frames;
   for (std::int32_t f = 0; f < performance.frames; ++f) {
     REQUIRE(bake.frame(f).ok());

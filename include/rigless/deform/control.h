@@ -5,11 +5,13 @@
 
 namespace rigless {
 
-// Where a control sits and how far its disc reaches along the surface; radius 0 holds the vertex alone.
+// Where a control sits and how far what it holds reaches: a disc along a surface (radius 0 holds the vertex alone), a
+// ball of a solid, or a level slab of it, as thick as two radii: a trunk does not spin about a slab.
 template <class S>
 struct Control {
   std::int32_t vertex = -1;
   S radius = S(0);
+  bool slab = false;
 };
 
 }  // namespace rigless

@@ -51,9 +51,18 @@ class Deformer {
   // size_mismatch (rigidity).
   RIGLESS_COLD Status bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options = {});
 
+  // Binds a graph of V nodes as a surface is bound: neighbours, and a weight above 0 for each directed edge, the same both
+  // ways. Allocates. On failure the old binding stays.
+  // Errors: not_finite (node, also for a rigidity that is not above 0); size_mismatch (weights, rigidity).
+  RIGLESS_COLD Status bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                 const DeformerOptions<S>& options = {});
+
   // Chooses C controls; targets start at rest, the shape too. Allocates. On failure the old controls stay.
   // Errors: no_controls; index_out_of_range (control); factorization_failed.
   RIGLESS_COLD Status set_controls(Span<const Control<S>> controls);
+
+  // The same with controls that hold these vertices, at least one each. Errors: factorization_failed.
+  RIGLESS_COLD Status set_discs(Discs<S> discs);
 
   // C target positions of the controls. One that is not finite is not taken: its control stays where it was told to be
   // before. No allocation.
@@ -97,7 +106,7 @@ class Deformer {
   Span<const Vec3<S>> shape() const { return shape_; }
   Span<const Vec3<S>> positions() const { return positions_; }
   Span<const Mat3<S>> disc_rotations() const { return iteration_.disc_rotation; }
-  const Discs& discs() const { return iteration_.discs; }
+  const Discs<S>& discs() const { return iteration_.discs; }
   const Cells<S>& cells() const { return iteration_.cells; }
   std::int32_t vertices() const { return count_of(iteration_.cells); }
   std::int32_t controls() const { return count_of(iteration_.discs); }
@@ -111,6 +120,8 @@ class Deformer {
  private:
   using Quad = detail::simd::Quad<S>;
 
+  void begin(const DeformerOptions<S>& options);
+
   detail::ShapeIteration<S> iteration_;
   std::vector<Vec3<S>> shape_;      // V, as the caller numbers them
   std::vector<Vec3<S>> positions_;  // V
@@ -120,6 +131,22 @@ template <class S, class Weights>
 Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options) {
   if (const Status s = detail::build_cells<Weights, S>(rest, faces, options.rigidity, iteration_.cells); !s.ok())
     return s;
+  begin(options);
+  return {};
+}
+
+template <class S, class Weights>
+Status Deformer<S, Weights>::bind_graph(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                        const DeformerOptions<S>& options) {
+  if (const Status s = detail::graph_cells<S>(rest, ring, weight, options.rigidity, iteration_.cells); !s.ok())
+    return s;
+  begin(options);
+  return {};
+}
+
+// With new cells and no controls.
+template <class S, class Weights>
+void Deformer<S, Weights>::begin(const DeformerOptions<S>& options) {
   iteration_.elastic.mu = options.elastic;
   iteration_.system.bind(iteration_.cells);
   iteration_.slices = detail::slice_cells(iteration_.cells, iteration_.system.place(), iteration_.system.vertex_at());
@@ -134,21 +161,24 @@ Status Deformer<S, Weights>::bind(Span<const Vec3<S>> rest, Span<const Face> fac
   shape_.resize(iteration_.cells.size());
   positions_.resize(iteration_.cells.size());
   reset();
-  return {};
 }
 
 template <class S, class Weights>
 Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
-  Discs discs;
+  Discs<S> discs;
   if (const Status s = detail::make_discs(iteration_.cells, controls, discs); !s.ok()) return s;
+  return set_discs(std::move(discs));
+}
+
+template <class S, class Weights>
+Status Deformer<S, Weights>::set_discs(Discs<S> discs) {
   if (const Status s = iteration_.system.hold(iteration_.cells, iteration_.discs, discs); !s.ok()) return s;
   iteration_.discs = std::move(discs);
   iteration_.seams = detail::find_seams(iteration_.cells, iteration_.discs);
   iteration_.moved.assign(iteration_.discs.member.size(), Quad{});
-  iteration_.targets.clear();
-  for (std::int32_t v : iteration_.discs.center) iteration_.targets.push_back(nth(iteration_.cells.rest, v));
-  iteration_.disc_rotation.assign(controls.size(), Mat3<S>::Identity());
-  iteration_.turned.assign(controls.size(), 0);
+  iteration_.targets = iteration_.discs.center;
+  iteration_.disc_rotation.assign(iteration_.discs.size(), Mat3<S>::Identity());
+  iteration_.turned.assign(iteration_.discs.size(), 0);
   reset();
   return {};
 }

@@ -8,16 +8,18 @@ namespace rigless {
 template <class S>
 struct ShapeAnalysis {
   Posture<S> posture;
+  S sure = 1;              // of the posture, 0 to 1; below a half it is as well to ask
   SymmetryPlane<S> plane;  // the best there is; see is_symmetric()
   std::vector<BodyPoint<S>> points;
 };
 
 // Guesses from V vertices in any axes and units and F faces. A guess may be wrong and is meant to be shown. Allocates;
 // about 0.2 s in WASM, whatever V is. Errors: no_faces; index_out_of_range (where: face); not_finite (where: vertex).
-// On failure `out` keeps what it had. `posture`: how the mesh stands, where that is known.
+// On failure `out` keeps what it had. `posture`: how the mesh stands, where that is known; `file`: how files of
+// its kind do.
 template <class S>
 Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out,
-                     const Posture<S>* posture = nullptr) {
+                     const Posture<S>* posture = nullptr, FileAxes file = FileAxes::unknown) {
   if (const Status status = detail::check_faces(faces, count_of(vertices)); !status.ok()) return status;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!vertices[v].allFinite()) return {Error::not_finite, v};
@@ -34,7 +36,13 @@ Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, Shape
     if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
   }
   found.plane = detail::SymmetryFinder<S>(samples).best(tips);
-  found.posture = posture != nullptr ? *posture : detail::guess_posture<S>(samples, tips, found.plane);
+  if (posture != nullptr) {
+    found.posture = *posture;
+  } else {
+    const detail::PostureGuess<S> guess = detail::guess_posture<S>(samples, tips, found.plane, file);
+    found.posture = guess.posture;
+    found.sure = guess.sure;
+  }
   found.points = detail::BodyReader<S>(graph, average, found.posture, found.plane).read();
   out = std::move(found);
   return {};

@@ -41,6 +41,9 @@ struct HeightConstraint {
   S difference = 0;
 };
 
+// In the order in which they are counted.
+enum class ConstraintKind : std::int32_t { position, velocity };
+
 template <class S>
 struct Constraints {
   std::vector<PositionConstraint<S>> positions;

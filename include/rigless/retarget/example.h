@@ -49,4 +49,11 @@ struct Ask {
   double gain = 0;  // by how much the error of the whole clip would fall
 };
 
+// Where a control's limb leaves the trunk, and how long it is from there to the control.
+template <class S>
+struct ModelLimb {
+  Vec3<S> base = Vec3<S>::Zero();  // at rest, mesh-local
+  S length = 0;                    // 0: not known
+};
+
 }  // namespace rigless

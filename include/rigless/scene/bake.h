@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "rigless/retarget/detail/flight.h"
-#include "rigless/scene/detail/drag.h"
+#include "rigless/scene/body.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {
@@ -22,13 +22,14 @@ class Bake {
     S yaw = 0;
   };
 
-  // `volume` is lambda_v. The deformer must have the performance's controls; both must outlive this. Allocates.
-  void bind(Deformer<S>& deformer, const Performance<S>& performance, S volume) {
-    RIGLESS_ASSERT(performance.control_count() == to_size(deformer.controls()));
-    deformer_ = &deformer;
+  // `volume` is lambda_v. The body must have the performance's controls; both must outlive this. Allocates.
+  void bind(Body<S>& body, const Performance<S>& performance, S volume) {
+    RIGLESS_ASSERT(performance.control_count() == to_size(body.controls()));
+    body_ = &body;
     performance_ = &performance;
     volume_ = volume;
-    positions_.resize(to_size(deformer.vertices()));
+    positions_.resize(to_size(body.vertices()));
+    maps_.resize(body.transforms().size());
     lowest_.assign(to_size(performance.frames), std::numeric_limits<S>::quiet_NaN());
   }
 
@@ -39,22 +40,34 @@ class Bake {
     const Flight* flight = flight_over(f);
     S height = 0;
     if (flight != nullptr) height = height_in_flight(*flight, f);
-    const Span<const Vec3<S>> local = deform(f);
+    deform(f);
     const S grounded = -nth(lowest_, f);
     height = flight != nullptr ? std::max(height, grounded) : grounded;
 
     const auto& travel = nth(performance_->travel, f);
     root_.position = {travel[0], height, travel[1]};
     root_.yaw = nth(performance_->yaw, f);
+    return {};
+  }
+
+  // V, world: of the frame that was made last, for as long as the body was not moved since. No allocation.
+  Span<const Vec3<S>> positions() {
+    const Span<const Vec3<S>> local = body_->positions();
     const S c = std::cos(root_.yaw), s = std::sin(root_.yaw);
     for (std::size_t v = 0; v < local.size(); ++v) {
       const Vec3<S>& p = local[v];
       positions_[v] = Vec3<S>(c * p.x() + s * p.z(), p.y(), c * p.z() - s * p.x()) + root_.position;
     }
-    return {};
+    return positions_;
   }
 
-  Span<const Vec3<S>> positions() const { return positions_; }  // V, world
+  // N, likewise: the maps with which the nodes of a solid carry its mesh into the world. No allocation.
+  Span<const detail::NodeMap<S>> maps() {
+    const Mat3<S> turn = Eigen::AngleAxis<S>(root_.yaw, Vec3<S>::UnitY()).toRotationMatrix();
+    detail::node_maps<S>(body_->solid(), body_->transforms(), turn, root_.position, maps_);
+    return maps_;
+  }
+
   const Root& root() const { return root_; }
 
  private:
@@ -65,15 +78,11 @@ class Bake {
     return nullptr;
   }
 
-  Span<const Vec3<S>> deform(std::int32_t f) {
+  void deform(std::int32_t f) {
     const std::size_t controls = performance_->control_count();
     const Span<const Vec3<S>> tracks = performance_->controls;
-    detail::deform_from_rest(*deformer_, tracks.subspan(to_size(f) * controls, controls), volume_);
-    const Span<const Vec3<S>> local = deformer_->positions();
-    S lowest = std::numeric_limits<S>::max();
-    for (const Vec3<S>& p : local) lowest = std::min(lowest, p.y());
-    nth(lowest_, f) = lowest;
-    return local;
+    body_->act(tracks.subspan(to_size(f) * controls, controls), volume_);
+    nth(lowest_, f) = body_->lowest();
   }
 
   S lowest(std::int32_t f) {
@@ -91,11 +100,12 @@ class Bake {
     return start + k * detail::flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
   }
 
-  Deformer<S>* deformer_ = nullptr;
+  Body<S>* body_ = nullptr;
   const Performance<S>* performance_ = nullptr;
   S volume_ = 1;
-  std::vector<Vec3<S>> positions_;  // V
-  std::vector<S> lowest_;           // T: y of the lowest local vertex; NaN until it is known
+  std::vector<Vec3<S>> positions_;        // V
+  std::vector<detail::NodeMap<S>> maps_;  // N
+  std::vector<S> lowest_;                 // T: y of the lowest local vertex; NaN until it is known
   Root root_;
 };
 

@@ -1,71 +1,185 @@
-// A mesh that can be held by its controls: the rest surface, what is known of it, and its deformer.
+// A mesh that can be held by its controls: the rest surface, what is known of it, and what is solved in its stead.
 #pragma once
 
 #include <limits>
 
+#include "rigless/deform/detail/solid_pieces.h"
+#include "rigless/mesh/detail/limb.h"
 #include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/inspect.h"
+#include "rigless/mesh/solid.h"
 #include "rigless/scene/detail/drag.h"
+#include "rigless/scene/detail/node_maps.h"
 
 namespace rigless {
+
+// What is solved: the mesh's own surface, as in the paper, or a solid inside it that carries the mesh along, whatever
+// it is made of.
+enum class Solve : std::int32_t { surface, solid };
 
 template <class S>
 class Body {
  public:
-  // V rest positions and F faces; forgets controls. Allocates. Errors: those of Deformer::bind(). On failure the old
-  // mesh and its controls stay.
-  Status set_mesh(Span<const Vec3<S>> rest, Span<const Face> faces) {
-    if (const Status status = deformer_.bind(rest, faces); !status.ok()) return status;
+  // V rest positions and F faces; forgets controls. Allocates. Errors: those of Deformer::bind() and build_solid(). On
+  // failure the old mesh and its controls stay.
+  Status set_mesh(Span<const Vec3<S>> rest, Span<const Face> faces, Solve solve = Solve::surface) {
+    if (const Status status = solve == Solve::solid ? bind_solid(rest, faces) : bind_surface(rest, faces); !status.ok())
+      return status;
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
+    held_.clear();
+    limbs_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
-    volume_ = detail::signed_volume(rest, faces);
+    volume_ = solve_ == Solve::solid ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
     return {};
   }
 
   // C controls. Allocates. Errors: those of Deformer::set_controls(). On failure the old controls stay.
   Status set_controls(Span<const Control<S>> controls) {
-    if (const Status status = deformer_.set_controls(controls); !status.ok()) return status;
+    if (const Status status = hold(controls); !status.ok()) return status;
     controls_.clear();
-    for (const Control<S>& c : controls) controls_.push_back(nth(rest_, c.vertex));
+    held_.clear();
+    limbs_.clear();
+    for (const Control<S>& c : controls) {
+      controls_.push_back(nth(rest_, c.vertex));
+      held_.push_back(c.vertex);
+    }
     drag_.bind(deformer_);
     return {};
   }
 
-  // Moves the surface, see deformer().positions(), towards C targets from where the last drag left it, or from rest. No
-  // allocation. Errors: size_mismatch; not_finite (where: control).
+  // Moves the mesh, see positions(), towards C targets from where the last drag left it, or from rest. No allocation.
+  // Errors: size_mismatch; not_finite (where: control).
   Status drag(Span<const Vec3<S>> targets, S volume, bool restart) {
     if (targets.empty() || targets.size() != controls_.size()) return {Error::size_mismatch, -1};
     for (std::size_t c = 0; c < targets.size(); ++c) {
       if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
     drag_.move(deformer_, targets, volume, restart);
+    take_shape();
     return {};
   }
 
-  // Volume of a deformed surface (V) over that of the rest mesh; NaN where an open mesh has none. No allocation.
-  S volume_ratio(Span<const Vec3<S>> surface) const {
-    if (!closed()) return std::numeric_limits<S>::quiet_NaN();
-    return detail::signed_volume<S>(surface, faces_) / volume_;
+  // The mesh for these C finite targets; depends on nothing but them. No allocation.
+  void act(Span<const Vec3<S>> targets, S volume) {
+    detail::deform_from_rest(deformer_, targets, volume);
+    take_shape();
   }
 
-  bool closed() const { return topology_.closed() && volume_ != S(0); }
-  S volume() const { return closed() ? std::abs(volume_) : std::numeric_limits<S>::quiet_NaN(); }
+  // C: the limb at whose tip each control lies; found when it is first asked for. Allocates.
+  Span<const detail::Limb<S>> limbs() {
+    if (limbs_.empty()) limbs_ = detail::find_limbs<S>(rest_, faces_, held_, detail::bounds<S>(rest_).height());
+    return limbs_;
+  }
+
+  // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
+  Span<const Vec3<S>> positions() {
+    if (solve_ == Solve::surface) return deformer_.positions();
+    if (!carried_is_new_) carry_points<S>(solid_, rest_, transforms_, carried_);
+    carried_is_new_ = true;
+    return carried_;
+  }
+
+  // N, with which the nodes of a solid carry its mesh, as the last drag() or act() left them.
+  Span<const NodeTransform<S>> transforms() const { return transforms_; }
+
+  // N, likewise: as a graphics card takes them. No allocation.
+  Span<const detail::NodeMap<S>> maps() {
+    detail::node_maps<S>(solid_, transforms_, Mat3<S>::Identity(), Vec3<S>::Zero(), maps_);
+    return maps_;
+  }
+
+  // y of the lowest vertex, as the last drag() or act() left them. No allocation.
+  S lowest() const {
+    S lowest = std::numeric_limits<S>::max();
+    if (solve_ == Solve::solid) {
+      for (const std::int32_t v : outermost_)
+        lowest = std::min(
+            lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v), transforms_.data()).y());
+      return lowest;
+    }
+    for (const Vec3<S>& p : deformer_.positions()) lowest = std::min(lowest, p.y());
+    return lowest;
+  }
+
+  // Volume now over that at rest; NaN where an open surface has none. No allocation.
+  S volume_ratio() const {
+    if (solve_ == Solve::solid) return rigless::volume<S>(solid_, deformer_.positions()) / volume_;
+    if (!closed()) return std::numeric_limits<S>::quiet_NaN();
+    return detail::signed_volume<S>(deformer_.positions(), faces_) / volume_;
+  }
+
+  // Cubic units; NaN where an open surface has none.
+  S volume() const {
+    return solve_ == Solve::solid || closed() ? std::abs(volume_) : std::numeric_limits<S>::quiet_NaN();
+  }
+
+  Solve solve() const { return solve_; }
+  const Solid<S>& solid() const { return solid_; }  // empty when the surface is solved
   const MeshTopology& topology() const { return topology_; }
   Span<const Vec3<S>> rest() const { return rest_; }
   Span<const Vec3<S>> rest_controls() const { return controls_; }  // C
+  std::int32_t vertices() const { return count_of(rest_); }
+  std::int32_t controls() const { return count_of(controls_); }
   Deformer<S>& deformer() { return deformer_; }
   const Deformer<S>& deformer() const { return deformer_; }
 
  private:
-  std::vector<Vec3<S>> rest_;      // V
-  std::vector<Face> faces_;        // F
-  std::vector<Vec3<S>> controls_;  // C, at rest
+  bool closed() const { return topology_.closed() && volume_ != S(0); }
+
+  Status bind_surface(Span<const Vec3<S>> rest, Span<const Face> faces) {
+    if (const Status status = deformer_.bind(rest, faces); !status.ok()) return status;
+    solve_ = Solve::surface;
+    solid_ = {};
+    carried_ = {};
+    transforms_ = {};
+    maps_ = {};
+    return {};
+  }
+
+  Status bind_solid(Span<const Vec3<S>> rest, Span<const Face> faces) {
+    Solid<S> solid;
+    if (const Status status = build_solid(rest, faces, {}, solid); !status.ok()) return status;
+    if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
+    solve_ = Solve::solid;
+    solid_ = std::move(solid);
+    outermost_ = outermost_vertices(solid_, rest);
+    carried_.assign(rest.begin(), rest.end());
+    transforms_.resize(solid_.rest.size());
+    maps_.resize(solid_.rest.size());
+    return {};
+  }
+
+  Status hold(Span<const Control<S>> controls) {
+    if (solve_ == Solve::surface) return deformer_.set_controls(controls);
+    Discs<S> pieces;
+    if (const Status status = detail::make_solid_pieces<S>(solid_, rest_, controls, pieces); !status.ok())
+      return status;
+    return deformer_.set_discs(std::move(pieces));
+  }
+
+  void take_shape() {
+    if (solve_ == Solve::solid) node_transforms<S>(solid_, deformer_.positions(), transforms_);
+    carried_is_new_ = false;
+  }
+
+  std::vector<Vec3<S>> rest_;       // V
+  std::vector<Face> faces_;         // F
+  std::vector<Vec3<S>> controls_;   // C, at rest
+  std::vector<std::int32_t> held_;  // C, their vertices
+  std::vector<detail::Limb<S>> limbs_;
   MeshTopology topology_;
   S volume_ = 0;
+  Solve solve_ = Solve::surface;
   Deformer<S> deformer_;
   detail::Drag<S> drag_;
+  Solid<S> solid_;
+  std::vector<NodeTransform<S>> transforms_;  // N
+  std::vector<detail::NodeMap<S>> maps_;      // N
+  std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest
+  std::vector<Vec3<S>> carried_;              // V
+  bool carried_is_new_ = false;
 };
 
 }  // namespace rigless

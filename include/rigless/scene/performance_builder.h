@@ -24,6 +24,7 @@ struct PerformanceInput {
   const StagedMotion<S>* motion = nullptr;
   Span<const std::int32_t> pairs;  // C: joint, or -1: the whole pose
   Span<const Vec3<S>> rest;        // C, controls at rest, stage metres
+  Span<const ModelLimb<S>> limbs;  // C: what each control is the end of; or empty
   S floor = 0;                     // y of the lowest vertex at rest
   S height = 1;                    // of the mesh at rest
   Examples<S> examples;            // the user's; while they are few, starters are added
@@ -62,9 +63,10 @@ class PerformanceBuilder {
     controls_ = input.pairs.size();
     ground_.begin(motion, input.pairs, input.rest, input.floor, input.height, input.contacts, input.flights);
     const std::vector<std::uint8_t> stands = ground_.labels();
-    const Status started =
-        detail::add_starters<S>(motion.local, joints, input.pairs, {input.rest, input.floor, input.height, stands},
-                                static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
+    const detail::StarterFigure<S> figure(motion.local, motion.clip.skeleton, motion.roles);
+    const Status started = detail::add_starters<S>(
+        motion.local, joints, input.pairs, figure, {input.rest, input.floor, input.height, stands, input.limbs},
+        static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
     if (!started.ok()) return started;
 
     RetargetInput<S> retarget;

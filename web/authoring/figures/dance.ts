@@ -22,7 +22,7 @@ export async function solvedDance(folder: string, project: string, motion: strin
   const workspace = new Workspace(() => present, createBrowserEngine);
   const file = workspace.library.addModel(parsed.mesh.file, model);
   const name = motion.slice(motion.lastIndexOf("/") + 1);
-  const files = workspace.library.addMotion([name], { format: "bvh", name, text: await (await fetch(motion)).text() });
+  const files = workspace.library.addMotion([name], { name, text: await (await fetch(motion)).text() });
   present = { ...parsed, mesh: { ...parsed.mesh, file }, motion: { files } };
   await workspace.sync();
   return { model, document: present, workspace };

@@ -1,5 +1,8 @@
 // Draws surfaces side by side, each in a viewport of the page.
 
+import { BufferAttribute, BufferGeometry } from "three";
+import type { Picture } from "../../src/gltf/document";
+import { buildDocument } from "../../src/io/gltf/build";
 import { readModel } from "../../src/io/read-model";
 import { Viewport } from "../../src/viewport/viewport";
 import type { PointMark, DrawnModel } from "../../src/stage/port";
@@ -36,7 +39,7 @@ window.draw = async (data, labels, skin) => {
     panel.append(stage, caption);
     document.body.append(panel);
     const viewport = new Viewport(stage);
-    viewport.setModel(model);
+    await viewport.setModel(model);
     // The camera steps back for the widest and the tallest and stays there: one scale for all panels.
     for (const shape of [widest, tallest, positions]) {
       viewport.setVertices(shape);
@@ -62,21 +65,12 @@ function standing(positions: readonly number[]): Float32Array {
   return Float32Array.from(positions, (x, i) => (i % 3 === 1 ? x - lowest : x));
 }
 
-type Skin = Pick<DrawnModel, "index" | "toVertex" | "colors" | "uvs" | "texture">;
+type Skin = Omit<DrawnModel, "positions" | "faces">;
 
 async function skinned(url: string): Promise<Skin> {
   const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer());
-  const { drawn } = await readModel([{ name: url, bytes }]);
-  const { texture } = drawn;
-  return {
-    ...drawn,
-    texture:
-      texture &&
-      (await createImageBitmap(new Blob([texture.bytes.slice()], { type: texture.mime }), {
-        premultiplyAlpha: "none",
-        colorSpaceConversion: "none",
-      })),
-  };
+  const { document, drawn } = await readModel([{ name: url, bytes }]);
+  return { ...drawn, document };
 }
 
 /** An egg in trousers that looks at us, painted from the front. */
@@ -84,8 +78,6 @@ async function painted({ faces, surfaces: [rest] }: Surfaces): Promise<Skin> {
   const count = rest.positions.length / 3;
   let top = 0;
   for (let v = 0; v < count; v++) top = Math.max(top, rest.positions[3 * v + 1]);
-  const uvs = new Float32Array(2 * count);
-  for (let v = 0; v < count; v++) uvs.set([0.5 + rest.positions[3 * v] / top, 1 - rest.positions[3 * v + 1] / top], 2 * v);
   const size = 512;
   const canvas = new OffscreenCanvas(size, size);
   const brush = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -108,11 +100,39 @@ async function painted({ faces, surfaces: [rest] }: Surfaces): Promise<Skin> {
   brush.beginPath();
   brush.arc(0.5 * size, 0.4 * size, 0.06 * size, 0.5, Math.PI - 0.5);
   brush.stroke();
+  const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+  return wrapped(rest.positions, faces, top, { bytes, mime: "image/png", drawn: true });
+}
+
+/** A surface with a picture from the front; its vertices in the order in which faces name them, as a document keeps them. */
+function wrapped(places: readonly number[], faces: readonly number[], top: number, picture: Picture): Skin {
+  const order = [...new Set(faces)];
+  const rank = new Map(order.map((vertex, k) => [vertex, k]));
+  const index = Uint32Array.from(faces, (vertex) => rank.get(vertex)!);
+  const positions = Float32Array.from(order.flatMap((v) => places.slice(3 * v, 3 * v + 3)));
+  const uvs = order.flatMap((v) => [0.5 + places[3 * v] / top, 1 - places[3 * v + 1] / top]);
+  const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(positions, 3)).setIndex([...index]);
+  geometry.computeVertexNormals();
+  const normals = Float32Array.from(geometry.attributes.normal.array);
+  const look = { pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0, roughnessFactor: 0.8 } };
   return {
-    index: Uint32Array.from(faces),
-    toVertex: Uint32Array.from({ length: count }, (_, v) => v),
-    colors: null,
-    uvs,
-    texture: await createImageBitmap(canvas),
+    document: buildDocument("egg", {
+      parts: [{ positions, index, normals, uvs: [uvs], material: 0 }],
+      materials: [look],
+      pictures: [{ name: "front", picture }],
+    }),
+    instances: [
+      {
+        ...{ node: 0, mesh: 0, primitive: 0, first: 0, from: 0 },
+        count: order.length,
+        to: index.length,
+        vertices: null,
+        flat: false,
+        open: true,
+      },
+    ],
+    normals,
+    index,
+    toVertex: Uint32Array.from(order),
   };
 }

@@ -1,13 +1,13 @@
 // Moments of a figure side by side, lit and seen as on the page's stage.
 
 import { Box3, type Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
-import { toStage } from "../../src/document/stage";
+import { drawnModel } from "../../src/app/drawn-model";
 import type { ProjectDocument } from "../../src/document/types";
 import type { Model } from "../../src/io/model";
-import { stageFor } from "../../src/sync/placement";
 import type { Workspace } from "../../src/sync/workspace";
 import { AZIMUTH, FIELD_OF_VIEW } from "../../src/viewport/framing";
 import { Lights } from "../../src/viewport/lights";
+import { loadLook } from "../../src/viewport/look";
 import { ModelFigure } from "../../src/viewport/model-figure";
 
 /** One figure at any frame. */
@@ -20,19 +20,9 @@ export interface Figure {
 }
 
 export async function theModel(model: Model, document: ProjectDocument, workspace: Workspace): Promise<Figure> {
-  const { drawn } = model;
-  const texture =
-    drawn.texture &&
-    (await createImageBitmap(new Blob([drawn.texture.bytes.slice()], { type: drawn.texture.mime }), {
-      premultiplyAlpha: "none",
-      colorSpaceConversion: "none",
-    }));
-  const figure = new ModelFigure({
-    ...drawn,
-    positions: toStage(stageFor(model, document.mesh), drawn.positions),
-    faces: model.faces,
-    texture,
-  });
+  const drawn = drawnModel(model, document.mesh);
+  const figure = new ModelFigure(drawn);
+  figure.dress(await loadLook(drawn.document, drawn.instances));
   return {
     group: figure.group,
     frames: workspace.cache.length,

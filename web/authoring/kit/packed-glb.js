@@ -1,6 +1,7 @@
 // A GLB in few bytes: whole-number positions (KHR_mesh_quantization), meshopt's codecs (EXT_meshopt_compression), and of a
 // symmetric mesh only one half, which two nodes show, one of them mirrored.
 import { MeshoptEncoder } from "meshoptimizer/encoder";
+import { creasedNormals } from "./normals.js";
 
 const STEPS = 8191; // of the longest side: .2 mm of a figure of 1.7 m
 
@@ -8,15 +9,18 @@ const pad = (bytes, fill = 0) => Buffer.concat([bytes, Buffer.alloc((4 - (bytes.
 
 /**
  * uv: three [u, v] a triangle; png: the picture's bytes. half: vertices with x >= 0 alone, those
- * on x = 0 exactly there. Returns the file's bytes.
+ * on x = 0 exactly there. flat: without normals, for triangles so small that nobody sees them. Returns the file's bytes.
  */
-export async function encodePackedGlb({ name, vertices, triangles, uv, png, half, roughness }) {
+export async function encodePackedGlb({ name, vertices, triangles, uv, png, half, roughness, flat = false }) {
   await MeshoptEncoder.ready;
   const { corners, indices } = join(triangles, uv);
   const order = Uint32Array.from(indices); // becomes the order that packs best, over the vertices' new numbers
-  const [remap, count] = MeshoptEncoder.reorderMesh(order, true, true);
-  const ordered = new Array(count);
-  corners.forEach((c, i) => (ordered[remap[i]] = c));
+  const [remap, joined] = MeshoptEncoder.reorderMesh(order, true, true);
+  const before = new Array(joined);
+  corners.forEach((c, i) => (before[remap[i]] = c));
+  const creased = flat ? null : creasedNormals({ points: vertices, indices: order, pointOf: before.map(({ v }) => v), half });
+  const ordered = creased ? creased.source.map((i) => before[i]) : before;
+  const count = ordered.length;
 
   const low = [0, 1, 2].map((k) => (half && k === 0 ? 0 : vertices.reduce((m, v) => Math.min(m, v[k]), Infinity)));
   const step = Math.max(...[0, 1, 2].map((k) => vertices.reduce((m, v) => Math.max(m, v[k] - low[k]), 0))) / STEPS;
@@ -43,9 +47,10 @@ export async function encodePackedGlb({ name, vertices, triangles, uv, png, half
     accessor: { componentType: 5123, normalized: true, type: "VEC2" },
     as: "TEXCOORD_0",
   });
+  blocks.push({ bytes: creased.normals, stride: 4, accessor: { componentType: 5120, normalized: true, type: "VEC3" }, as: "NORMAL" });
   const index = count > 65535 ? Uint32Array : Uint16Array;
   blocks.push({
-    bytes: order,
+    bytes: creased ? Uint32Array.from(creased.indices) : order,
     stride: index.BYTES_PER_ELEMENT,
     accessor: { componentType: index === Uint32Array ? 5125 : 5123, type: "SCALAR" },
   });

@@ -7,7 +7,7 @@ import { createNodeEngine } from "../../src/engine/node";
 import type { Motion, MotionInput } from "../../src/engine/types";
 import { everyFor, exportDance, sizeFault } from "../../src/io/export-dance";
 import { formatNamed, listed } from "../../src/io/formats";
-import { count } from "../../src/io/model";
+import { count } from "../../src/io/count";
 import type { Model } from "../../src/io/model";
 import type { Profile } from "../../src/io/profile";
 import { PROFILES } from "../../src/io/profiles";

@@ -50,7 +50,7 @@ export class Opening {
     return this.guarded(character.name, async () => {
       const file = builtins.motions[0]?.file ?? "";
       const [document, text] = await Promise.all([this.character(character), builtins.motionText(file)]);
-      const files = sources.addMotion([file], { format: "bvh", name: file, text });
+      const files = sources.addMotion([file], { name: file, text });
       history.replace({ ...document, motion: { files } });
       history.markSaved();
     });
@@ -84,7 +84,7 @@ export class Opening {
     const file = files.at(-1) ?? "";
     await this.inTurn(file, name, async (job, isNewest) => {
       if (builtin && !workspace.library.motion(files)) {
-        sources.addMotion(files, { format: "bvh", name: file, text: await builtins.motionText(file) });
+        sources.addMotion(files, { name: file, text: await builtins.motionText(file) });
       }
       if (!isNewest()) return;
       job.step(1);
@@ -97,7 +97,7 @@ export class Opening {
     const { builtins, sources } = this.openers;
     const { document, bytes } = await builtins.load(character);
     const files = [{ name: document.mesh.file, bytes }];
-    const file = await sources.addModel(document.mesh.file, await this.ports.readModel(files), files);
+    const file = sources.addModel(document.mesh.file, await this.ports.readModel(files), files);
     return { ...document, mesh: { ...document.mesh, file } };
   }
 
@@ -153,7 +153,7 @@ export class Opening {
     const model = await this.ports.readModel(opened.modelFiles, { signal: job.signal });
     job.step(2);
     const files = sources.addMotion(opened.document.motion.files, opened.motion);
-    const file = await sources.addModel(opened.document.mesh.file, model, opened.modelFiles);
+    const file = sources.addModel(opened.document.mesh.file, model, opened.modelFiles);
     const taken = await this.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
     const { history, selection } = this.context;
     history.markSaved();
@@ -174,9 +174,9 @@ export class Opening {
       const beside = sorted.files.filter((file) => !sorted.models.includes(file));
       const model = await this.ports.readModel([first, ...beside], { signal: job.signal });
       job.step(2);
-      const file = await sources.addModel(first.name, model, [first, ...beside]);
+      const file = sources.addModel(first.name, model, [first, ...beside]);
       const guess = await guesses.of(model);
-      const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }) };
+      const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }), solve: "solid" };
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
       const { report } = await this.change(named(commands.setMesh(mesh)(history.document)), job, gesture);
       selection.endIntro();

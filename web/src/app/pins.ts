@@ -1,4 +1,4 @@
-import { canStandStill, clipOf, removePin, setPin } from "../document/clips";
+import { clipOf, pinFault, removePin, setPin } from "../document/clips";
 import { freeId } from "../document/commands";
 import type { Pin } from "../document/types";
 import { pointsOfControls } from "../sync/point-controls";
@@ -11,6 +11,12 @@ export type { Pin } from "../document/types";
 /** Less is not worth a word: metres on the stage. */
 const MISSED = 0.005;
 const TITLE = "A pin is not kept.";
+
+/** What a kind of pin says, and what its flag shows (the path of a stroke). */
+export const PIN_KINDS: Readonly<Record<Pin["kind"], { make: string; is: string; flag: string; means: string; sign: string }>> = {
+  place: { make: "Hold it", is: "is held", flag: "held here", means: "It is just there, whatever the poses say.", sign: "M9 7.5h.01" },
+  still: { make: "Stand still", is: "stands still", flag: "stands still", means: "It is where it was a frame before.", sign: "M7.5 7.5h4" },
+};
 
 /** Pins: a point held at a place in one frame, or still for a moment. Unlike poses they teach nothing about other frames. */
 export class Pins {
@@ -68,12 +74,12 @@ export class Pins {
     this.make(id, frame, targets);
   }
 
-  canStandStill({ frame }: Pin): boolean {
-    return canStandStill(frame);
+  canBe(pin: Pin, kind: Pin["kind"]): boolean {
+    return pinFault({ ...pin, kind }) === null;
   }
 
   setKind(pin: Pin, kind: Pin["kind"]): void {
-    if (kind === "still" && !canStandStill(pin.frame)) return;
+    if (!this.canBe(pin, kind)) return;
     this.context.history.apply(setPin({ ...pin, kind }));
   }
 

@@ -1,7 +1,7 @@
 // What the app needs of the place it runs in: a page, or a test in Node.
 
 import type { Engine } from "../engine/types";
-import type { Model, Picture } from "../io/model";
+import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
 
 export type { StagePort } from "../stage/port";
@@ -63,7 +63,6 @@ export interface Ports {
   readonly createEngine: () => Engine;
   /** As io/read-model, wherever it runs. Errors: ModelError; on abort the signal's reason. */
   readonly readModel: (files: readonly NamedFile[], options?: { signal?: AbortSignal }) => Promise<Model>;
-  readonly decodePicture: (picture: Picture) => Promise<ImageBitmap>;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;
 }

@@ -1,14 +1,13 @@
-import { toStage } from "../document/stage";
 import type { Insets, PointMark, StagePort } from "../stage/port";
 import { describeJoints } from "../skeleton/pair-joints";
 import { pointJoints } from "../sync/pairing";
-import { stageFor } from "../sync/placement";
 import { pointPartners, pointVertices } from "../sync/point-controls";
 import { meshInput } from "../sync/translate";
 import type { SolverModel } from "../sync/placement";
 import type { Context } from "./context";
 import type { Coverage } from "./coverage";
 import type { Drag, Dragging } from "./dragging";
+import { drawnModel } from "./drawn-model";
 import type { Guesses } from "./guesses";
 import type { Pairing } from "./pairing";
 import type { Sources } from "./sources";
@@ -105,18 +104,12 @@ export class Presenter {
     const { model, document } = this.context;
     const source = model && this.shown.sources.of(model);
     if (!stage || !source) return;
-    const { drawn, faces } = source.model;
-    stage.setModel({
-      positions: toStage(stageFor(source.model, document.mesh), drawn.positions),
-      index: drawn.index,
-      toVertex: drawn.toVertex,
-      faces,
-      colors: drawn.colors,
-      uvs: drawn.uvs,
-      texture: source.texture,
+    const seen = stage.setModel(drawnModel(source.model, document.mesh));
+    const rest = meshInput(source.model, document.mesh).positions;
+    this.rest = rest;
+    void seen.then(() => {
+      if (this.rest === rest) this.context.signals.emit("staged", rest);
     });
-    this.rest = meshInput(source.model, document.mesh).positions;
-    this.context.signals.emit("staged", this.rest);
     this.points();
     this.frame();
   }

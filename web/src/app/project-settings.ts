@@ -1,6 +1,6 @@
 import * as commands from "../document/commands";
 import type { Gesture } from "../document/store";
-import type { Axis, MeshRef, Settings } from "../document/types";
+import type { Axis, MeshRef, Settings, Solve } from "../document/types";
 import type { Context } from "./context";
 import { nextFacing, withUp } from "./facing";
 
@@ -32,6 +32,10 @@ export class ProjectSettings {
 
   setUp(up: Axis): void {
     this.turn(withUp(this.context.document.mesh, up));
+  }
+
+  setSolve(solve: Solve): void {
+    this.context.history.apply(commands.solveMesh(solve));
   }
 
   private turn({ facing, up }: Pick<MeshRef, "facing" | "up">): void {

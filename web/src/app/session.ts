@@ -36,7 +36,7 @@ export class Session {
   readonly context = new Context(this.ports);
   readonly jobs = new Jobs();
   readonly builtins = new Builtins(this.ports.assets);
-  readonly sources = new Sources(this.context.workspace.library, this.ports.decodePicture);
+  readonly sources = new Sources(this.context.workspace.library);
   readonly cast = new Cast(this.context, this.builtins);
   readonly motions = new Motions(this.context, this.builtins);
   readonly playback = new Playback(this.context, !this.ports.calm);

@@ -5,7 +5,6 @@ import { formatOf } from "../io/formats";
 import type { NamedFile } from "../io/named-file";
 import { type Library, motionTexts } from "../sync/library";
 import type { SolverModel } from "../sync/placement";
-import type { Ports } from "./ports";
 
 /** What lies among a model's files and is none of them. */
 const NOT_BESIDE: readonly (FormatKind | undefined)[] = ["motion", "skeleton", "project"];
@@ -15,32 +14,25 @@ export interface Source {
   readonly model: Model;
   /** What it was read from, its own file first. */
   readonly files: readonly NamedFile[];
-  /** Its picture, decoded. */
-  readonly texture: ImageBitmap | null;
 }
 
 /** What models and motions were read from, so that they can be drawn and a project can be saved with them. */
 export class Sources {
   private readonly sources = new WeakMap<SolverModel, Source>();
 
-  constructor(
-    private readonly library: Library,
-    private readonly decodePicture: Ports["decodePicture"],
-  ) {}
+  constructor(private readonly library: Library) {}
 
   /**
    * Adds a model to the library under a name of its own, its own file first among `files`; answers the name. The same files
    * opened again are the same model.
    */
-  async addModel(file: string, model: Model, files: readonly NamedFile[]): Promise<string> {
+  addModel(file: string, model: Model, files: readonly NamedFile[]): string {
     const [own, ...others] = files;
     const beside = others.filter((other) => !NOT_BESIDE.includes(formatOf(other)?.kind));
     const known = this.library.model(file);
     if (known && own && sameFiles(this.of(known)?.files ?? [], [{ ...own, name: file }, ...beside])) return file;
-    const { texture } = model.drawn;
-    const decoded = texture && (await this.decodePicture(texture));
     const name = this.library.addModel(file, model);
-    this.sources.set(model, { model, files: own ? [{ ...own, name }, ...beside] : beside, texture: decoded });
+    this.sources.set(model, { model, files: own ? [{ ...own, name }, ...beside] : beside });
     return name;
   }
 

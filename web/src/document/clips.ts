@@ -16,8 +16,15 @@ export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): Cli
   return clips && Object.hasOwn(clips, name) ? clips[name] : NOTHING;
 }
 
-/** Whether a point can stand still at a frame: before the first there is none in which it could have stood. */
-export const canStandStill = (frame: number): boolean => frame > 0;
+/** The points that a pin names. */
+export const pointsOfPin = ({ point }: Pin): string[] => [point];
+
+/** What a pin of its kind lacks or may not say, as a field and a sentence about it; null: nothing. */
+export function pinFault({ kind, frame, position }: Pin): string | null {
+  if (kind === "place" && !position) return 'position is missing: a pin of kind "place" says where.';
+  if (kind === "still" && frame === 0) return "frame is 0, but no frame comes before it in which its point could stand.";
+  return null;
+}
 
 /** A new pin, or another place for the one that has its point, frame and kind. */
 export const setPin = (pin: Pin): Command =>
@@ -51,7 +58,7 @@ export function forgetPoint(clips: ProjectDocument["clips"], id: string): Projec
       name,
       {
         ...clip,
-        ...(pins && { pins: pins.filter((pin) => pin.point !== id) }),
+        ...(pins && { pins: pins.filter((pin) => !pointsOfPin(pin).includes(id)) }),
         ...(contacts && { contacts: Object.fromEntries(Object.entries(contacts).filter(([point]) => point !== id)) }),
       },
     ]),

@@ -4,7 +4,7 @@
 import { DEFAULT_SMOOTHNESS } from "../util/constants";
 import { forgetPoint } from "./clips";
 import type { Command } from "./store";
-import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings } from "./types";
+import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Settings, Solve } from "./types";
 
 export const DEFAULT_SETTINGS: Settings = {
   volume: 1,
@@ -37,6 +37,12 @@ export const turnMesh =
   (facing: Axis, up: Axis): Command =>
   (document) =>
     change(document, { mesh: change(document.mesh, { facing, up }) });
+
+/** What of the same model is solved. */
+export const solveMesh =
+  (solve: Solve): Command =>
+  (document) =>
+    change(document, { mesh: change(document.mesh, { solve }) });
 
 /** Another motion. Examples stay: they know joints by name. */
 export const setMotion =

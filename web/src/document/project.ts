@@ -1,6 +1,6 @@
 // A project file's text to a document and back. docs/project-format.md explains each field.
 
-import { canStandStill } from "./clips";
+import { pinFault, pointsOfPin } from "./clips";
 import schema from "./project-schema.json";
 import { findFault, withDefaults } from "./schema";
 import type { Clip, ProjectDocument } from "./types";
@@ -76,13 +76,13 @@ function brokenReference({ points, examples, clips = {} }: ProjectDocument): str
 
 function brokenClip({ pins = [], contacts = {}, flights = [] }: Clip, points: ReadonlySet<string>): string | null {
   const ids = new Set<string>();
-  for (const [n, { id, point, kind, frame, position }] of pins.entries()) {
-    if (ids.has(id)) return `pins[${n}].id is "${id}", which another pin has already.`;
-    ids.add(id);
-    if (!points.has(point)) return `pins[${n}] holds "${point}", but no point has this id.`;
-    if (kind === "place" && !position) return `pins[${n}].position is missing: a pin of kind "place" says where.`;
-    if (kind === "still" && !canStandStill(frame))
-      return `pins[${n}].frame is 0, but no frame comes before it in which its point could stand.`;
+  for (const [n, pin] of pins.entries()) {
+    if (ids.has(pin.id)) return `pins[${n}].id is "${pin.id}", which another pin has already.`;
+    ids.add(pin.id);
+    const stranger = pointsOfPin(pin).find((id) => !points.has(id));
+    if (stranger !== undefined) return `pins[${n}] holds "${stranger}", but no point has this id.`;
+    const fault = pinFault(pin);
+    if (fault) return `pins[${n}].${fault}`;
   }
   const stranger = Object.keys(contacts).find((id) => !points.has(id));
   if (stranger !== undefined) return `contacts names "${stranger}", but no point has this id.`;

@@ -81,6 +81,11 @@ export function fromStage(stage: Stage, positions: ArrayLike<number>): Float32Ar
   return mapPoints(positions, (point) => pointFromStage(stage, point));
 }
 
+/** N x 3 directions of the file, in the stage's axes; a new array. */
+export function turnToStage({ rotation }: Stage, directions: ArrayLike<number>): Float32Array {
+  return mapPoints(directions, (direction) => rotate(rotation, direction));
+}
+
 function mapPoints(positions: ArrayLike<number>, map: (point: Vec3) => Vec3): Float32Array {
   const out = new Float32Array(positions.length);
   for (let i = 0; i + 2 < positions.length; i += 3) {

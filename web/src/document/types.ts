@@ -13,7 +13,11 @@ export interface MeshRef {
   readonly facing: Axis;
   /** Which way is up, in the file's own axes. Default "+y". */
   readonly up: Axis;
+  /** What is solved: the model's own surface, as in a clean closed one, or a solid inside it that carries it. Default "surface". */
+  readonly solve?: Solve;
 }
+
+export type Solve = "surface" | "solid";
 
 export interface MotionRef {
   /** One .bvh, or one .asf and one .amc; relative to the project file. */
@@ -28,8 +32,10 @@ export interface Point {
   readonly position: Vec3;
   /** Name of the joint that drives it; null: it follows the whole pose. */
   readonly joint: string | null;
-  /** Geodesic radius of its disc in model heights; default 0.05. */
+  /** How far what it holds reaches, in model heights: a disc along a surface, a ball in a solid; default 0.05. */
   readonly radius?: number;
+  /** In a solid it holds a level slab instead of a ball: a trunk does not spin about a slab. */
+  readonly slab?: boolean;
   /** Id of the same point on the other side; its own in the middle. One that is not there counts as none. */
   readonly mirror?: string;
 }

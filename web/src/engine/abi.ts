@@ -1,7 +1,22 @@
 // The boundary to the core. Made by wasm/abi.mjs from wasm/abi.h: change that.
 
+import {
+  LENGTH_UNIT_NAMES,
+  type LengthUnit,
+  UP_AXIS_NAMES,
+  type UpAxis,
+  BODY_ROLE_NAMES,
+  type BodyRole,
+  BODY_PART_NAMES,
+  type BodyPart,
+  BODY_SIDE_NAMES,
+  type BodySide,
+  CONSTRAINT_KIND_NAMES,
+  type ConstraintKind,
+} from "../util/constants";
+
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 2058428670;
+export const ABI = 2137168926;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -19,71 +34,31 @@ export interface Row<T> {
   read(n: Float64Array): T;
 }
 
-export const CORE_ERROR_NAMES = [
-  "none",
-  "empty_input",
-  "not_this_format",
-  "unexpected_end",
-  "bad_number",
-  "bad_syntax",
-  "unknown_joint",
-  "duplicate_joint",
-  "unsupported",
-  "no_frames",
-  "no_faces",
-  "index_out_of_range",
-  "not_finite",
-  "no_controls",
-  "factorization_failed",
-  "size_mismatch",
-  "no_examples",
-  "bad_constraint",
-  "infeasible",
-  "out_of_memory",
-] as const;
-export type CoreError = (typeof CORE_ERROR_NAMES)[number];
-
-export const LENGTH_UNIT_NAMES = ["metre", "centimetre", "millimetre", "inch", "cmu", "foot", "none"] as const;
-export type LengthUnit = (typeof LENGTH_UNIT_NAMES)[number];
-
-export const UP_AXIS_NAMES = ["y", "z"] as const;
-export type UpAxis = (typeof UP_AXIS_NAMES)[number];
-
-export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest"] as const;
-export type BodyRole = (typeof BODY_ROLE_NAMES)[number];
-
-export const BODY_PART_NAMES = [
-  "none",
-  "hips",
-  "spine",
-  "chest",
-  "neck",
-  "head",
-  "shoulder",
-  "upper_arm",
-  "lower_arm",
-  "hand",
-  "finger",
-  "upper_leg",
-  "lower_leg",
-  "foot",
-  "toe",
-  "tip",
-  "end",
-] as const;
-export type BodyPart = (typeof BODY_PART_NAMES)[number];
-
-export const BODY_SIDE_NAMES = ["none", "left", "right"] as const;
-export type BodySide = (typeof BODY_SIDE_NAMES)[number];
-
 /** Where a mesh is held. */
 export interface ControlInput {
   vertex: number;
-  /** Of the disc along the surface, metres. */
+  /** Of the disc along the surface or of the ball in the solid, metres. */
   radius: number;
+  /** Of a solid: holds a level slab instead of a ball. */
+  slab: boolean;
 }
 
-export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius];
+export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius, Number(one.slab)];
+
+/** Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres. */
+export interface ConstraintInput {
+  kind: ConstraintKind;
+  control: number;
+  frame: number;
+  value: [number, number, number];
+}
+
+export const writeConstraintInput = (one: ConstraintInput): number[] => [
+  CONSTRAINT_KIND_NAMES.indexOf(one.kind),
+  one.control,
+  one.frame,
+  ...one.value,
+];
 
 export interface BodyReport {
   /** NaN when open. */
@@ -112,6 +87,18 @@ export const bodyReportRow: Row<BodyReport> = {
     height: n[7],
   }),
 };
+
+/** What is solved inside a mesh; empty when its surface is. */
+export interface SolidInfo {
+  /** N. */
+  nodes: number;
+  /** E. */
+  elements: number;
+  /** Edge of an element, metres. */
+  cell: number;
+}
+
+export const solidInfoRow: Row<SolidInfo> = { doubles: 3, read: (n) => ({ nodes: n[0], elements: n[1], cell: n[2] }) };
 
 export interface BakeRoot {
   /** Of the body's origin in the world. */
@@ -287,13 +274,20 @@ export interface RiglessExports {
     vertices: number,
     faces: Pointer<Integers>,
     faceCount: number,
+    solve: number,
   ): PackedStatus;
   body_report(body: Handle): Pointer<BodyReport>;
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
   body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
   body_positions(body: Handle): Pointer<Float32Array>;
+  body_solid(body: Handle): Pointer<SolidInfo>;
+  body_solid_nodes(body: Handle): Pointer<Float32Array>;
+  body_solid_elements(body: Handle): Pointer<Integers>;
+  body_solid_element_of(body: Handle): Pointer<Integers>;
+  body_maps(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;
   body_rest_controls(body: Handle): Pointer<Float32Array>;
+  body_limbs(body: Handle): Pointer<Float32Array>;
   bake_new(): Handle;
   bake_delete(bake: Handle): void;
   bake_begin(
@@ -309,12 +303,12 @@ export interface RiglessExports {
   ): void;
   bake_frame(bake: Handle, frame: number): PackedStatus;
   bake_positions(bake: Handle): Pointer<Float32Array>;
+  bake_maps(bake: Handle): Pointer<Float32Array>;
   bake_root(bake: Handle): Pointer<BakeRoot>;
   motion_new(): Handle;
   motion_delete(motion: Handle): void;
-  motion_read_bvh(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
-  motion_read_asf(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
-  motion_read_amc(motion: Handle, text: Pointer<Uint8Array>, bytes: number): PackedStatus;
+  motion_read(motion: Handle, text: Pointer<Uint8Array>, bytes: number, skeleton: Pointer<Uint8Array>, skeletonBytes: number): PackedStatus;
+  motion_refused_skeleton(motion: Handle): number;
   motion_info(motion: Handle): Pointer<MotionInfo>;
   motion_notes(motion: Handle): Pointer<MotionNotes>;
   motion_name(motion: Handle, joint: number): Pointer<Uint8Array>;
@@ -326,8 +320,7 @@ export interface RiglessExports {
   motion_yaw(motion: Handle): Pointer<Float32Array>;
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
-  performance_place(performance: Handle, control: number, frame: number, axes: number, x: number, y: number, z: number): void;
-  performance_still(performance: Handle, control: number, frame: number): void;
+  performance_constrain(performance: Handle, constraints: Pointer<ConstraintInput>, count: number): void;
   performance_stand(performance: Handle, control: number, begin: number, end: number): void;
   performance_fly(performance: Handle, flights: Pointer<Integers>, count: number): void;
   performance_mirror(performance: Handle, partners: Pointer<Integers>, controls: number, x: number, y: number, z: number): void;
@@ -336,6 +329,7 @@ export interface RiglessExports {
     motion: Handle,
     pairs: Pointer<Integers>,
     rest: Pointer<Float32Array>,
+    limbs: Pointer<Float32Array>,
     controls: number,
     floor: number,
     height: number,

@@ -7,6 +7,7 @@ import type {
   ControlInput,
   Engine,
   Frame,
+  BoundMeshInput,
   MeshInput,
   MeshReport,
   Motion,
@@ -54,7 +55,7 @@ export class EngineClient implements Engine {
     );
   }
 
-  setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport> {
+  setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport> {
     return this.#call("setMesh", mesh, options);
   }
 

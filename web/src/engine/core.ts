@@ -1,5 +1,6 @@
 // The core as the server uses it: one mesh with its controls, one motion, the last performance.
 
+import { SOLVE_NAMES } from "../util/constants";
 import { bakeRootRow, bodyReportRow, performanceInfoRow, writeControlInput } from "./abi";
 import type { BodyReport, Handle, PackedStatus, RiglessExports } from "./abi";
 import { Heap } from "./heap";
@@ -9,7 +10,7 @@ import { readMotion } from "./motion";
 import type { DragInput } from "./protocol";
 import { beginRetarget, describePerformance } from "./retarget";
 import { EngineError } from "./types";
-import type { ControlInput, Frame, MeshInput, MeshReport, Motion, MotionInput, Performance, RetargetInput } from "./types";
+import type { BoundMeshInput, ControlInput, Frame, MeshReport, Motion, MotionInput, Performance, RetargetInput } from "./types";
 
 export class Core {
   #wasm: RiglessExports;
@@ -29,12 +30,13 @@ export class Core {
     this.#body = wasm.body_new();
   }
 
-  setMesh({ positions, faces }: MeshInput): MeshReport {
+  setMesh({ positions, faces, solve = "surface" }: BoundMeshInput): MeshReport {
     if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
       throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
     }
     this.#heap.lend([positions, faces], ([at, facesAt]) => {
-      this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
+      const code = SOLVE_NAMES.indexOf(solve);
+      this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3, code), { kind: "mesh" });
     });
     this.#forgetBake();
     this.#controls = 0;
@@ -46,9 +48,13 @@ export class Core {
 
   setControls(controls: ControlInput[]): void {
     if (!this.#report) throw new EngineError("bad_controls", "There is no model to place controls on yet.");
-    this.#heap.lendAll(writeControlInput, controls, (at) => {
-      this.#check(this.#wasm.body_set_controls(this.#body, at, controls.length), { kind: "controls" });
-    });
+    this.#heap.lendAll(
+      writeControlInput,
+      controls.map((control) => ({ slab: false, ...control })),
+      (at) => {
+        this.#check(this.#wasm.body_set_controls(this.#body, at, controls.length), { kind: "controls" });
+      },
+    );
     this.#forgetBake();
     this.#controls = controls.length;
   }

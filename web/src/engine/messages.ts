@@ -1,15 +1,17 @@
 // Turns what the core says in numbers (math/status.h) into sentences for the person who chose the file:
 // what happened, where, and what to do.
 
-import { FPS, PERSON_HEIGHT } from "../util/constants";
-import { CORE_ERROR_NAMES } from "./abi";
-import type { CoreError, LengthUnit, MotionNotes, PackedStatus } from "./abi";
+import { CORE_ERROR_NAMES, FPS, PERSON_HEIGHT } from "../util/constants";
+import type { CoreError, LengthUnit } from "../util/constants";
+import type { MotionNotes, PackedStatus } from "./abi";
 import { EngineError } from "./types";
 import type { EngineErrorCode } from "./types";
 
 /** What the engine was asked to take in when the core refused. */
 export type Subject =
-  | { kind: "bvh" | "asf" | "amc"; name: string }
+  | { kind: "motion"; name: string; skeleton?: unknown }
+  /** What lies beside a motion. */
+  | { kind: "skeleton"; name: string }
   | { kind: "mesh" }
   | { kind: "controls" }
   /** The index of each constraint by the core's count. */
@@ -34,7 +36,7 @@ export function engineError(packed: PackedStatus, subject: Subject): EngineError
     case "frames":
       return new EngineError("bad_examples", `Frame ${count(where + 1)} is not in this motion.`);
     default:
-      return new EngineError("bad_motion", motionMessage(error, where, subject.kind, subject.name));
+      return new EngineError("bad_motion", motionMessage(error, where, subject));
   }
 }
 
@@ -44,35 +46,29 @@ export function outOfMemory(): EngineError {
 
 const count = (n: number) => n.toLocaleString("en-US");
 
-const FORMATS = {
-  bvh: "a BVH motion: it does not begin with HIERARCHY",
-  asf: "an ASF skeleton: it has no :root or :bonedata",
-  amc: "an AMC motion: it has no numbered frames",
-};
-
-function motionMessage(error: CoreError, where: number, kind: "bvh" | "asf" | "amc", name: string): string {
+function motionMessage(error: CoreError, where: number, subject: Extract<Subject, { name: string }>): string {
+  const { kind, name } = subject;
   const at = where > 0 ? `${name}, line ${count(where)}` : name;
   const stops = where > 0 ? `${name} stops in line ${count(where)}` : `${name} stops too early`;
-  const inside = kind === "amc" ? "a frame" : kind === "asf" ? "the skeleton" : "a joint or a frame";
   switch (error) {
     case "empty_input":
       return `${name} is empty. Choose a file with a motion in it.`;
     case "not_this_format":
-      return `${name} is not ${FORMATS[kind]}. Choose a .bvh file, or an .asf file together with its .amc file.`;
+      return `${name} is not a ${kind} in a format that Rigless reads, or begins with something else. Choose another file.`;
     case "unexpected_end":
-      return `${stops}: the file ends inside ${inside}. It may be cut off; download or export it again.`;
+      return `${stops}: more of the ${kind} should follow. It may be cut off; download or export it again.`;
     case "bad_number":
       return `${at}: a number is missing or cannot be read. Correct this line, or export the file again.`;
     case "bad_syntax":
       return `${at}: this line is not what the format asks for here. Correct it, or export the file again.`;
     case "unknown_joint":
-      return kind === "amc"
-        ? `${at}: this bone is not in the skeleton. Choose the .asf file that belongs to this motion.`
+      return subject.kind === "motion" && subject.skeleton
+        ? `${at}: this bone is not in the skeleton. Choose the skeleton that belongs to this motion.`
         : `${at}: this joint was never declared. Export the file again.`;
     case "duplicate_joint":
       return `${at}: this joint's name is used twice. Give one of the two another name.`;
     case "unsupported":
-      return `${at}: this is valid but cannot be used here. Export the motion as plain BVH.`;
+      return `${at}: this is valid but cannot be used here. Export the motion again, in another format.`;
     case "no_frames":
       return `${name} has no whole frame of motion in it. Choose a file that holds a motion, not only a pose.`;
     case "not_finite":

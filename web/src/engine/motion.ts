@@ -9,18 +9,16 @@ import type { Motion, MotionInput } from "./types";
 /** The motion's handle is the caller's to delete. */
 export function readMotion(wasm: RiglessExports, heap: Heap, input: MotionInput): { handle: Handle; motion: Motion } {
   const handle = wasm.motion_new();
-  const read = (kind: "bvh" | "asf" | "amc", name: string, text: string) => {
-    const reader = { bvh: wasm.motion_read_bvh, asf: wasm.motion_read_asf, amc: wasm.motion_read_amc }[kind];
-    const bytes = new TextEncoder().encode(text);
-    const status = heap.lend([bytes], ([at]) => reader(handle, at, bytes.length));
-    if (status !== 0) throw engineError(status, { kind, name });
-  };
+  const encode = (text: string) => new TextEncoder().encode(text);
+  const text = encode(input.text);
+  const skeleton = encode(input.skeleton?.text ?? "");
   try {
-    if (input.format === "bvh") {
-      read("bvh", input.name, input.text);
-    } else {
-      read("asf", input.skeletonName, input.skeleton);
-      read("amc", input.name, input.text);
+    const status = heap.lend([text, skeleton], ([at, skeletonAt]) =>
+      wasm.motion_read(handle, at, text.length, skeletonAt, skeleton.length),
+    );
+    if (status !== 0) {
+      const refused = wasm.motion_refused_skeleton(handle) && input.skeleton;
+      throw engineError(status, refused ? { kind: "skeleton", name: refused.name } : { kind: "motion", ...input });
     }
     return { handle, motion: describe(wasm, heap, handle, input.name) };
   } catch (error) {

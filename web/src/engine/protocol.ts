@@ -4,6 +4,7 @@ import type {
   ControlInput,
   EngineErrorCode,
   Frame,
+  BoundMeshInput,
   MeshInput,
   MeshReport,
   Motion,
@@ -26,7 +27,7 @@ export interface ShapeAnalysisInput {
 }
 
 export interface Calls {
-  setMesh: { input: MeshInput; output: MeshReport };
+  setMesh: { input: BoundMeshInput; output: MeshReport };
   analyseShape: { input: ShapeAnalysisInput; output: ShapeAnalysis };
   setControls: { input: ControlInput[]; output: void };
   setMotion: { input: MotionInput; output: Motion };

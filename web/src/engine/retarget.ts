@@ -1,6 +1,7 @@
 // What the core is asked before it retargets, and what it answers.
 
-import { askRow, missRow, motionInfoRow, performanceInfoRow } from "./abi";
+import { CONSTRAINT_KIND_NAMES } from "../util/constants";
+import { askRow, missRow, motionInfoRow, performanceInfoRow, writeConstraintInput } from "./abi";
 import type { BodyReport, Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
 import { engineError } from "./messages";
@@ -24,7 +25,8 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
   if (examples.some((e) => e.joints.length !== 3 * joints || e.controls.length !== 3 * scene.controls)) {
     throw new EngineError("bad_examples", "A pose does not have as many joints or controls as the motion and the model.");
   }
-  constrain(wasm, handle, input.constraints ?? []);
+  const constraints = input.constraints ?? [];
+  heap.lendAll(writeConstraintInput, constraints, (at) => wasm.performance_constrain(handle, at, constraints.length));
   edit(wasm, heap, handle, scene.controls, input);
   const exampleJoints = joined(examples.map((example) => example.joints));
   const exampleControls = joined(examples.map((example) => example.controls));
@@ -34,6 +36,7 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       scene.motion,
       pairsAt,
       wasm.body_rest_controls(scene.body),
+      wasm.body_limbs(scene.body),
       scene.controls,
       scene.report.floor,
       scene.report.height,
@@ -45,7 +48,7 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       Number(input.inPlace),
     ),
   );
-  if (status !== 0) throw engineError(status, { kind: "retarget", constraints: inCoreOrder(input.constraints ?? []) });
+  if (status !== 0) throw engineError(status, { kind: "retarget", constraints: inCoreOrder(constraints) });
 }
 
 export function describePerformance(
@@ -76,21 +79,9 @@ export function describePerformance(
   };
 }
 
-/** The core counts through the places, then those that are still: the index of each in the input. */
+/** The core counts kind by kind: the index of each in the input. */
 function inCoreOrder(constraints: ConstraintInput[]): number[] {
-  return (["position", "still"] as const).flatMap((kind) => constraints.flatMap((one, n) => (one.kind === kind ? [n] : [])));
-}
-
-function constrain(wasm: RiglessExports, handle: Handle, constraints: ConstraintInput[]): void {
-  for (const constraint of constraints) {
-    const { kind, control, frame } = constraint;
-    if (kind === "still") {
-      wasm.performance_still(handle, control, frame);
-    } else {
-      const axes = (constraint.axes ?? [true, true, true]).reduce((bits, on, axis) => bits | (Number(on) << axis), 0);
-      wasm.performance_place(handle, control, frame, axes, ...constraint.value);
-    }
-  }
+  return CONSTRAINT_KIND_NAMES.flatMap((kind) => constraints.flatMap((one, n) => (one.kind === kind ? [n] : [])));
 }
 
 /** Contacts, flights and mirror images instead of those of the motion and the model. */

@@ -2,7 +2,8 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole, ControlInput, BodyPart as CorePart, BodySide as CoreSide } from "./abi";
+import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, Solve } from "../util/constants";
+import type { ConstraintInput, ControlInput as CoreControl } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -16,10 +17,28 @@ export interface MeshInput {
   faces: Uint32Array;
 }
 
+export interface BoundMeshInput extends MeshInput {
+  /** What is solved: the surface itself, or a solid inside it that carries it; default "surface". */
+  solve?: Solve;
+}
+
+/** The cells of a solid that carries a mesh: N nodes, E elements, V vertices. */
+export interface SolidCells {
+  nodeCount: number;
+  /** Edge of an element, metres. */
+  cell: number;
+  /** E x 3, the low corner at rest, stage. */
+  corners: Float32Array;
+  /** E x 8: the node at corner k, which lies (k & 1, k >> 1 & 1, k >> 2 & 1) cells from the low one. */
+  elements: Int32Array;
+  /** V: the element that carries a vertex; -1: it stays. */
+  elementOf: Int32Array;
+}
+
 export interface MeshReport {
   vertices: number;
   faces: number;
-  /** Volume in cubic metres; null for an open surface. */
+  /** Volume in cubic metres, of what is solved; null for an open surface. */
   volume: number | null;
   boundaryEdges: number;
   nonManifoldEdges: number;
@@ -31,7 +50,10 @@ export interface MeshReport {
 
 export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 
-export type { ControlInput };
+/** Where a mesh is held; a ball unless `slab` says otherwise. */
+export type ControlInput = Omit<CoreControl, "slab"> & Partial<Pick<CoreControl, "slab">>;
+
+export type { Solve };
 
 /** What a point of a body is; a tip is an extremity without a name: an ear, a horn, a wing. */
 export type { BodyRole };
@@ -61,9 +83,16 @@ export interface ShapeAnalysis {
   points: BodyPoint[];
 }
 
-export type MotionInput =
-  | { format: "bvh"; name: string; text: string }
-  | { format: "acclaim"; skeletonName: string; skeleton: string; name: string; text: string };
+/** A file of text, under the name that people know it by. */
+export interface TextFile {
+  name: string;
+  text: string;
+}
+
+/** A motion in any format that the core reads, with the skeleton beside it if its format has one. */
+export interface MotionInput extends TextFile {
+  skeleton?: TextFile;
+}
 
 export interface Joint {
   name: string;
@@ -98,12 +127,7 @@ export interface ExampleInput {
   controls: Float32Array;
 }
 
-/** A constraint about one control at one frame (body-local stage metres). */
-export type ConstraintInput =
-  /** It is there, on the axes that are true; all three if none are given. */
-  | { kind: "position"; control: number; frame: number; value: [number, number, number]; axes?: [boolean, boolean, boolean] }
-  /** It is in the same place as in the frame before (velocity 0); not for frame 0. */
-  | { kind: "still"; control: number; frame: number };
+export type { ConstraintInput };
 
 /**
  * Where a control stands, said by the user instead of taken from the motion: half-open runs of frames, which replace that
@@ -212,7 +236,7 @@ export interface CallOptions {
 
 export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
-  setMesh(mesh: MeshInput, options?: CallOptions): Promise<MeshReport>;
+  setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport>;
   /** Guesses how a mesh stands and where to hold it; binds nothing. Any axes and units. Rejects with bad_mesh. */
   analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis>;
   /** Binds controls on the present mesh (ordering, factorisation). */

@@ -1,5 +1,6 @@
 // The one path from a dance's frames to a file.
 
+import { turnToStage } from "../document/stage";
 import type { MeshRef } from "../document/types";
 import { stageFor } from "../sync/placement";
 import { meshInput } from "../sync/translate";
@@ -28,9 +29,11 @@ export async function exportDance(
 ): Promise<Uint8Array<ArrayBuffer>> {
   const tooLarge = sizeFault(model, frames.length, every, profile);
   if (tooLarge) throw new ModelError(`${name}.${profile.extension} ${tooLarge.text}.`);
+  const { document, drawn } = model;
   const rest = meshInput(model, mesh).positions;
-  const scale = 1 / stageFor(model, mesh).scale;
-  return profile.write({ name, drawn: model.drawn, faces: model.faces, rest, frames, scale, every });
+  const stage = stageFor(model, mesh);
+  const turned = { ...drawn, normals: turnToStage(stage, drawn.normals) };
+  return profile.write({ name, document, drawn: turned, rest, frames, scale: 1 / stage.scale, every });
 }
 
 /** The least step with which every viewer takes a dance of so many frames. */

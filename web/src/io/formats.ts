@@ -3,7 +3,7 @@
 
 import type { MotionInput } from "../engine/types";
 import { type Content, type Format, type FormatKind, starts, wordList } from "./format";
-import type { Part, Picture } from "./model";
+import type { GltfDocument } from "../gltf/document";
 import { decodeText, decodeUri, extension, type NamedFile } from "./named-file";
 import { PICTURES } from "./picture";
 
@@ -20,15 +20,10 @@ export interface ModelSource {
   readonly notes: string[];
 }
 
-export interface Surface {
-  readonly parts: Part[];
-  readonly texture: Picture | null;
-}
-
 export interface ModelFormat extends Format {
   readonly kind: "model";
   /** Loads its reader, so that nobody loads those of other formats. */
-  readonly read: (source: ModelSource) => Promise<Surface>;
+  readonly read: (source: ModelSource) => Promise<GltfDocument>;
 }
 
 export interface MotionSource {
@@ -69,7 +64,7 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["off"],
     mediaType: "model/vnd.off",
     is: ({ head }) => /^\s*(ST)?C?N?4?n?OFF\b/.test(head),
-    read: async ({ name, text, notes }) => ({ parts: (await import("./read-off")).readOff(name, text(), notes), texture: null }),
+    read: async ({ name, text, notes }) => (await import("./read-off")).readOff(name, text(), notes),
   },
   {
     id: "ply",
@@ -78,7 +73,7 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["ply"],
     mediaType: "model/ply",
     is: ({ head }) => /^ply\s/.test(head),
-    read: async ({ name, file, notes }) => ({ parts: (await import("./read-ply")).readPly(name, file.bytes, notes), texture: null }),
+    read: async ({ name, file, notes }) => (await import("./read-ply")).readPly(name, file.bytes, notes),
   },
   {
     id: "stl",
@@ -86,7 +81,7 @@ const MODELS: readonly ModelFormat[] = [
     words: "STL",
     extensions: ["stl"],
     mediaType: "model/stl",
-    read: async ({ name, file }) => ({ parts: (await import("./read-stl")).readStl(name, file.bytes), texture: null }),
+    read: async ({ name, file }) => (await import("./read-stl")).readStl(name, file.bytes),
   },
   {
     id: "gltf",
@@ -95,7 +90,7 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["gltf"],
     mediaType: "model/gltf+json",
     names: (text) => all(text, /"uri"\s*:\s*"((?!data:|https?:)[^"]+)"/g).map(decodeUri),
-    read: async ({ name, file, files, notes }) => (await import("./read-gltf")).readGltf(name, file, files, notes),
+    read: async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes),
   },
   {
     id: "glb",
@@ -104,7 +99,7 @@ const MODELS: readonly ModelFormat[] = [
     extensions: ["glb"],
     mediaType: "model/gltf-binary",
     is: ({ head }) => head.startsWith("glTF"),
-    read: async ({ name, file, files, notes }) => (await import("./read-gltf")).readGltf(name, file, files, notes),
+    read: async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes),
   },
 ];
 
@@ -116,7 +111,7 @@ const MOTIONS: readonly MotionFormat[] = [
     extensions: ["bvh"],
     mediaType: "text/plain",
     is: ({ text }) => /^\s*HIERARCHY\b/i.test(text),
-    read: ({ name, text }) => ({ format: "bvh", name, text }),
+    read: ({ name, text }) => ({ name, text }),
   },
   {
     id: "amc",
@@ -126,7 +121,7 @@ const MOTIONS: readonly MotionFormat[] = [
     mediaType: "text/plain",
     is: ({ text }) => /^[ \t]*:(fully-specified|degrees|radians)\b/im.test(text),
     skeleton: "asf",
-    read: ({ name, text }, skeleton) => ({ format: "acclaim", skeletonName: skeleton.name, skeleton: skeleton.text, name, text }),
+    read: ({ name, text }, skeleton) => ({ name, text, skeleton: { name: skeleton.name, text: skeleton.text } }),
   },
 ];
 

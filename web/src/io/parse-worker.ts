@@ -21,7 +21,10 @@ scope.onmessage = ({ data }) => {
   );
 };
 
-function buffersOf({ positions, faces, drawn }: Model): Transferable[] {
-  const arrays = [positions, faces, drawn.positions, drawn.index, drawn.toVertex, drawn.colors, drawn.uvs];
-  return [...new Set(arrays.flatMap((array) => (array ? [array.buffer] : [])))];
+function buffersOf({ positions, faces, drawn, document }: Model): Transferable[] {
+  const { normals, index, toVertex } = drawn;
+  const vertices = drawn.instances.flatMap((instance) => instance.vertices ?? []);
+  const pictures = document.images.flatMap((picture) => picture?.bytes ?? []);
+  const arrays = [positions, faces, drawn.positions, normals, index, toVertex, ...vertices, ...document.buffers, ...pictures];
+  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
 }

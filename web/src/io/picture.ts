@@ -1,8 +1,6 @@
-// The one picture that a model is drawn with.
+// The pictures that models are drawn with.
 
-import { type Format, starts, wordList } from "./format";
-import type { Picture } from "./model";
-import { baseName, findFile, type NamedFile } from "./named-file";
+import { type Format, starts } from "./format";
 
 /** The pictures that we show: rows of the table of formats. */
 export const PICTURES: readonly (Format & Required<Pick<Format, "is">>)[] = [
@@ -32,30 +30,7 @@ export const PICTURES: readonly (Format & Required<Pick<Format, "is">>)[] = [
   },
 ];
 
-/** The picture of these names; null, with a note, if it is missing, of a kind we cannot show, or one of several. */
-export function pictureOf(names: readonly string[], files: readonly NamedFile[], from: string, notes: string[]): Picture | null {
-  if (names.length === 0) return null;
-  if (names.length > 1) {
-    notes.push(`This model has ${names.length} pictures; we show its plain colours.`);
-    return null;
-  }
-  const file = findFile(files, names[0], from);
-  if (!file) {
-    notes.push(`This model names ${baseName(names[0])}; drop it too.`);
-    return null;
-  }
-  return checkedPicture(baseName(file.name), file.bytes, notes);
-}
-
-/** Null, with a note, for bytes that are none of the pictures that we show. */
-export function checkedPicture(name: string, bytes: Uint8Array, notes: string[]): Picture | null {
-  const format = PICTURES.find(({ is }) => is({ bytes, head: "", text: "" }));
-  if (format) return { bytes, mime: format.mediaType };
-  notes.push(
-    `${name} is not a ${wordList(
-      PICTURES.map(({ words }) => words),
-      "or",
-    )} picture; we show the model without it.`,
-  );
-  return null;
+/** What kind of picture some bytes are; undefined for one that we do not show. */
+export function pictureFormat(bytes: Uint8Array): Format | undefined {
+  return PICTURES.find(({ is }) => is({ bytes, head: "", text: "" }));
 }

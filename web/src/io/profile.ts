@@ -10,5 +10,5 @@ export interface Profile {
   readonly mostKept: number | null;
   /** Bytes of a file with so many render vertices and kept frames, about. */
   readonly bytes: (vertices: number, kept: number) => number;
-  readonly write: (input: GlbInput) => Promise<Uint8Array<ArrayBuffer>>;
+  readonly write: (input: GlbInput) => Uint8Array<ArrayBuffer> | Promise<Uint8Array<ArrayBuffer>>;
 }

@@ -1,7 +1,7 @@
 // One way in for every model format; runs in the page's worker and in Node alike.
 
 import { listed, type ModelFormat, modelFormat } from "./formats";
-import { buildModel, type Model } from "./model";
+import { type Model, modelOf } from "./model";
 import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
 
 export type { Model } from "./model";
@@ -21,8 +21,7 @@ export async function readModel(files: readonly NamedFile[]): Promise<Model> {
   try {
     const notes: string[] = [];
     const text = (): string => textOf(name, file.bytes, format.words);
-    const { parts, texture } = await format.read({ name, file, text, files, notes });
-    return buildModel(name, parts, texture, notes);
+    return modelOf(name, await format.read({ name, file, text, files, notes }), notes);
   } catch (error) {
     if (error instanceof ModelError) throw error;
     const why = error instanceof Error ? error.message : String(error);

@@ -4,49 +4,75 @@
 import { type Material, Mesh, type MeshPhongMaterial } from "three";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 
+import type { GltfDocument, GltfMaterial } from "../gltf/document";
 import { linear } from "./color";
-import { count, type Part, type Picture } from "./model";
-import { findFile, ModelError, type NamedFile } from "./named-file";
-import { pictureOf } from "./picture";
+import { count } from "./count";
+import { type BuiltPart, type BuiltPicture, buildDocument } from "./gltf/build";
+import { baseName, findFile, ModelError, type NamedFile } from "./named-file";
+import { namedPicture } from "./take-picture";
 
 /** Errors (ModelError) name the line: a coordinate that is no number, a face index without its vertex. */
-export function readObj(
-  name: string,
-  path: string,
-  text: string,
-  files: readonly NamedFile[],
-  notes: string[],
-): { parts: Part[]; texture: Picture | null } {
+export function readObj(name: string, path: string, text: string, files: readonly NamedFile[], notes: string[]): GltfDocument {
   const lookedThrough = lookThrough(name, text);
   if (lookedThrough.loose > 0) notes.push(`Left out ${count(lookedThrough.loose, "loose point")} that no face uses.`);
-  const materials = new Map<string, Mtl>();
-  for (const library of lookedThrough.libraries) {
-    const file = findFile(files, library, path);
-    if (file) readMtl(new TextDecoder().decode(file.bytes)).forEach((mtl, key) => materials.set(key, mtl));
+  const library = new Map<string, Mtl>();
+  for (const named of lookedThrough.libraries) {
+    const file = findFile(files, named, path);
+    if (file) readMtl(new TextDecoder().decode(file.bytes)).forEach((mtl, key) => library.set(key, mtl));
   }
+  const materials: GltfMaterial[] = [];
+  const pictures: BuiltPicture[] = [];
+  const numbers = new Map<string, number>();
+  const materialOf = (key: string): number | undefined => {
+    const mtl = library.get(key);
+    if (!mtl) return undefined;
+    const known = numbers.get(key) ?? materials.push(dressed(key, mtl, (picture) => addPicture(pictures, picture, files, path, notes))) - 1;
+    numbers.set(key, known);
+    return known;
+  };
 
-  const group = new OBJLoader().parse(lookedThrough.text);
-  const pictures = new Set<string>();
-  const parts: Part[] = [];
-  group.traverse((object) => {
+  const parts: BuiltPart[] = [];
+  new OBJLoader().parse(lookedThrough.text).traverse((object) => {
     if (!(object instanceof Mesh)) return;
-    const { position, color, uv } = object.geometry.attributes;
-    const used = groups(object);
-    const rgb = color ? Float32Array.from(color.array) : new Float32Array(position.array.length).fill(1);
-    for (const { material, start, size } of used) {
-      const mtl = materials.get(material);
-      if (mtl?.picture) pictures.add(mtl.picture);
-      if (!mtl?.color || mtl.picture) continue;
-      for (let i = start; i < start + size; i++) for (let k = 0; k < 3; k++) rgb[3 * i + k] *= mtl.color[k];
-    }
-    parts.push({
+    const { position, color, uv, normal } = object.geometry.attributes;
+    const arrays = {
       positions: position.array,
-      index: Uint32Array.from({ length: position.count }, (_, i) => i),
-      colors: color || used.some(({ material }) => materials.get(material)?.color) ? rgb : null,
-      uvs: uv ? Float32Array.from(uv.array as Float32Array, (x, i) => (i % 2 ? 1 - x : x)) : null,
-    });
+      normals: lookedThrough.normals ? normal.array : null,
+      colors: color ? color.array : null,
+      uvs: uv ? [Float32Array.from(uv.array as Float32Array, (x, i) => (i % 2 ? 1 - x : x))] : [],
+    };
+    for (const { material, start, size } of groups(object)) {
+      const index = Uint32Array.from({ length: size }, (_, i) => start + i);
+      const number = materialOf(material);
+      parts.push({ name: object.name, index, ...arrays, ...(number !== undefined && { material: number }) });
+    }
   });
-  return { parts, texture: pictureOf([...pictures], files, path, notes) };
+  return buildDocument(name, { parts, materials, pictures });
+}
+
+function addPicture(pictures: BuiltPicture[], named: string, files: readonly NamedFile[], path: string, notes: string[]): number {
+  const known = pictures.findIndex(({ name }) => name === baseName(named));
+  return known < 0 ? pictures.push(namedPicture(named, files, path, notes)) - 1 : known;
+}
+
+/** A matt material with what the MTL says of it; both sides show, for nobody knows how the faces are wound. */
+function dressed(name: string, mtl: Mtl, pictureOf: (name: string) => number): GltfMaterial {
+  const [r, g, b] = mtl.picture === null && mtl.color ? mtl.color : [1, 1, 1];
+  const { emission } = mtl;
+  return {
+    name,
+    pbrMetallicRoughness: {
+      baseColorFactor: [r, g, b, mtl.alpha],
+      ...(mtl.picture !== null && { baseColorTexture: { index: pictureOf(mtl.picture) } }),
+      metallicFactor: mtl.metal,
+      roughnessFactor: mtl.roughness,
+    },
+    ...(mtl.normals !== null && { normalTexture: { index: pictureOf(mtl.normals) } }),
+    ...(mtl.glow !== null && { emissiveTexture: { index: pictureOf(mtl.glow) } }),
+    ...((emission ?? mtl.glow) !== null && { emissiveFactor: emission ?? [1, 1, 1] }),
+    ...(mtl.alpha < 1 ? { alphaMode: "BLEND" } : mtl.cut ? { alphaMode: "MASK" } : {}),
+    doubleSided: true,
+  };
 }
 
 function groups(mesh: Mesh): { material: string; start: number; size: number }[] {
@@ -62,6 +88,8 @@ interface LookedThrough {
   libraries: string[];
   /** Vertices that no face uses. */
   loose: number;
+  /** Every corner of a face names one. */
+  normals: boolean;
 }
 
 function lookThrough(name: string, text: string): LookedThrough {
@@ -70,6 +98,7 @@ function lookThrough(name: string, text: string): LookedThrough {
   const kept: string[] = [];
   const libraries: string[] = [];
   let faces = 0;
+  let normals = true;
   const used: boolean[] = [];
   for (let at = 0; at < lines.length; at++) {
     let line = lines[at].trim();
@@ -98,6 +127,7 @@ function lookThrough(name: string, text: string): LookedThrough {
           );
         }
         used[v] = true;
+        normals &&= /^[^/]*\/[^/]*\/./.test(row[k]);
       }
       faces++;
     } else if (key === "mtllib") {
@@ -111,27 +141,55 @@ function lookThrough(name: string, text: string): LookedThrough {
   if (faces === 0) {
     throw new ModelError(used.length ? `${name} has ${count(used.length, "point")} but no faces.` : `${name} holds no OBJ model.`);
   }
-  return { text: kept.join("\n"), libraries, loose: used.reduce((sum, is) => sum + (is ? 0 : 1), 0) };
+  return { text: kept.join("\n"), libraries, normals, loose: used.reduce((sum, is) => sum + (is ? 0 : 1), 0) };
 }
 
 interface Mtl {
   /** Linear RGB. */
   color: number[] | null;
   picture: string | null;
+  alpha: number;
+  /** A picture says where it is cut out. */
+  cut: boolean;
+  metal: number;
+  roughness: number;
+  normals: string | null;
+  /** Linear RGB. */
+  emission: number[] | null;
+  glow: string | null;
 }
+
+const PLAIN: Mtl = {
+  ...{ color: null, picture: null, alpha: 1, cut: false, metal: 0, roughness: 0.8 },
+  ...{ normals: null, emission: null, glow: null },
+};
 
 function readMtl(text: string): Map<string, Mtl> {
   const materials = new Map<string, Mtl>();
-  let mtl: Mtl = { color: null, picture: null };
-  for (const line of text.split(/\r\n|\r|\n/)) {
-    const [key, ...rest] = line.trim().split(/\s+/);
-    if (key === "newmtl") materials.set(line.trim().slice(6).trim(), (mtl = { color: null, picture: null }));
-    if (key === "Kd") {
-      const color = rest.slice(0, 3).map((c) => linear(Number(c)));
-      if (color.length === 3 && color.every(Number.isFinite)) mtl.color = color;
-    }
-    // Options such as "-s 1 1 1" stand before the name.
-    if (key === "map_Kd") mtl.picture = line.trim().replace(/^map_Kd\s+(-\w+(\s+(-?[\d.]+|on|off))*\s+)*/, "");
+  let mtl: Mtl = { ...PLAIN };
+  for (const raw of text.split(/\r\n|\r|\n/)) {
+    const line = raw.trim();
+    const [key, ...rest] = line.split(/\s+/);
+    const numbers = rest.map(Number);
+    const one = Number.isFinite(numbers[0]) ? Math.min(1, Math.max(0, numbers[0])) : null;
+    const color = numbers.length >= 3 && numbers.slice(0, 3).every(Number.isFinite) ? numbers.slice(0, 3).map(linear) : null;
+    if (key === "newmtl") materials.set(line.slice(6).trim(), (mtl = { ...PLAIN }));
+    if (key === "Kd" && color) mtl.color = color;
+    if (key === "Ke" && color?.some((c) => c > 0)) mtl.emission = color;
+    // Exporters disagree on what Tr counts; a model that nobody sees is not meant.
+    if (key === "d" && one) mtl.alpha = one;
+    if (key === "Tr" && one !== null && one < 1) mtl.alpha = 1 - one;
+    if (key === "Pm" && one !== null) mtl.metal = one;
+    if (key === "Pr" && one !== null) mtl.roughness = one;
+    if (key === "map_Kd") mtl.picture = pictureName(line);
+    if (key === "map_Ke") mtl.glow = pictureName(line);
+    if (key === "map_d") mtl.cut = true;
+    if (key === "norm") mtl.normals = pictureName(line);
   }
   return materials;
+}
+
+/** Options such as "-s 1 1 1" stand before the name. */
+function pictureName(line: string): string {
+  return line.replace(/^\w+\s+(-\w+(\s+(-?[\d.]+|on|off))*\s+)*/, "");
 }

@@ -1,11 +1,13 @@
 // OFF, COFF, NOFF, STOFF and their mixtures: a header, V E F, vertices, polygons. three.js has no loader for it.
 
-import { count, type Part } from "./model";
+import type { GltfDocument } from "../gltf/document";
+import { count } from "./count";
+import { buildDocument } from "./gltf/build";
 import { ModelError } from "./named-file";
 import { linear } from "./color";
 
 /** Reads an ASCII OFF. Polygons become fans. Errors (ModelError) name the line. */
-export function readOff(name: string, text: string, notes: string[]): Part[] {
+export function readOff(name: string, text: string, notes: string[]): GltfDocument {
   const lines = new Lines(name, text);
   const header = /^(ST)?(C)?(N)?(4)?(n)?OFF\b\s*(BINARY)?/.exec(lines.next("its header").join(" "));
   if (!header) throw new ModelError(`${name} does not begin with OFF.`);
@@ -45,7 +47,7 @@ export function readOff(name: string, text: string, notes: string[]): Part[] {
   }
   const loose = vertices - new Set(index).size;
   if (loose > 0 && index.length > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
-  return [{ positions, index, colors: colors.length === 3 * vertices ? toLinear(colors) : null, uvs: null }];
+  return buildDocument(name, { parts: [{ positions, index, colors: colors.length === 3 * vertices ? toLinear(colors) : null }] });
 }
 
 /** Bytes or fractions of sRGB. */

@@ -1,7 +1,9 @@
 // PLY, text and binary. Ours, because three's PLYLoader leaves out faces of more than four corners without a word.
 
 import { linear } from "./color";
-import { count, type Part } from "./model";
+import type { GltfDocument } from "../gltf/document";
+import { count } from "./count";
+import { buildDocument } from "./gltf/build";
 import { ModelError } from "./named-file";
 
 type Scalar = "int8" | "uint8" | "int16" | "uint16" | "int32" | "uint32" | "float32" | "float64";
@@ -49,7 +51,7 @@ const TYPES: Record<string, Scalar | undefined> = {
 };
 
 /** Polygons become fans. Errors (ModelError): a header that makes no sense; a file that ends early; a vertex that is not there. */
-export function readPly(name: string, bytes: Uint8Array, notes: string[]): Part[] {
+export function readPly(name: string, bytes: Uint8Array, notes: string[]): GltfDocument {
   const header = readHeader(name, bytes);
   const body = bytes.subarray(header.size);
   const next = header.format === "ascii" ? textValues(name, body) : binaryValues(name, body, header.format === "binary_little_endian");
@@ -83,7 +85,7 @@ export function readPly(name: string, bytes: Uint8Array, notes: string[]): Part[
   }
   const loose = vertices - new Set(index).size;
   if (loose > 0 && index.length > 0) notes.push(`Left out ${count(loose, "loose point")} that no face uses.`);
-  return [{ positions, index, colors: colors.length ? colors : null, uvs: uvs.length ? uvs : null }];
+  return buildDocument(name, { parts: [{ positions, index, colors: colors.length ? colors : null, uvs: uvs.length ? [uvs] : [] }] });
 }
 
 function readHeader(name: string, bytes: Uint8Array): Header {

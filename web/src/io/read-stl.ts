@@ -2,21 +2,17 @@
 
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 
-import { count, type Part } from "./model";
+import type { GltfDocument } from "../gltf/document";
+import { count } from "./count";
+import { buildDocument } from "./gltf/build";
 import { ModelError } from "./named-file";
 
 /** Errors (ModelError): a binary file shorter than its count of triangles; a corner of a text file that is not three numbers. */
-export function readStl(name: string, bytes: Uint8Array): Part[] {
+export function readStl(name: string, bytes: Uint8Array): GltfDocument {
   const { position, color } = new STLLoader().parse(isText(bytes) ? checkedText(name, bytes) : checkedBinary(name, bytes)).attributes;
   if (position.count % 3 !== 0) throw new ModelError(`${name} has a triangle without three corners.`);
-  return [
-    {
-      positions: position.array,
-      index: Uint32Array.from({ length: position.count }, (_, i) => i),
-      colors: color ? color.array : null,
-      uvs: null,
-    },
-  ];
+  const index = Uint32Array.from({ length: position.count }, (_, i) => i);
+  return buildDocument(name, { parts: [{ positions: position.array, index, colors: color ? color.array : null }] });
 }
 
 /** A binary STL may begin with "solid" too. */

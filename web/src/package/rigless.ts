@@ -7,7 +7,7 @@ import { fromStage } from "../document/stage";
 import type { Axis, Example, Point, ProjectDocument, Settings, Vec3 } from "../document/types";
 import { EngineError, FPS } from "../engine/types";
 import type { Engine, Motion, MotionInput } from "../engine/types";
-import { buildSurface } from "../io/model";
+import { buildSurface } from "../io/surface";
 import type { JointRoles } from "../skeleton/pair-joints";
 import { bake } from "../sync/bake";
 import { Binding } from "../sync/binding";
@@ -26,8 +26,8 @@ export interface Mesh {
   readonly facing?: Axis;
 }
 
-/** The text of a BVH file, or those of an ASF and its AMC. */
-export type MotionText = string | { readonly asf: string; readonly amc: string };
+/** The text of a motion file; with that of the skeleton beside it where its format has one, as an AMC has an ASF. */
+export type MotionText = string | { readonly text: string; readonly skeleton: string };
 
 /** "When the human does this, my mesh does that." */
 export interface Pose {
@@ -121,7 +121,7 @@ async function retarget(engine: Engine, task: RetargetTask, options: RetargetOpt
   const { signal, onProgress } = options;
   const notes: string[] = [];
   const { positions, faces } = task.mesh;
-  const surface = buildSurface(NAME, { positions, index: faces }, notes);
+  const surface = buildSurface(NAME, { positions, triangles: faces }, notes);
   const binding = new Binding(engine);
   const input = motionInput(task.motion);
   const motion = await binding.takeMotion(input, (step) => ({ ...(signal && { signal }), onProgress: (done) => onProgress?.(step, done) }));
@@ -145,8 +145,9 @@ async function retarget(engine: Engine, task: RetargetTask, options: RetargetOpt
 }
 
 function motionInput(motion: MotionText): MotionInput {
-  if (typeof motion === "string") return { format: "bvh", name: "The motion", text: motion };
-  return { format: "acclaim", skeletonName: "The ASF", skeleton: motion.asf, name: "The motion", text: motion.amc };
+  const name = "The motion";
+  if (typeof motion === "string") return { name, text: motion };
+  return { name, text: motion.text, skeleton: { name: "The skeleton", text: motion.skeleton } };
 }
 
 /** What a project file would say; what the task leaves open is guessed. */

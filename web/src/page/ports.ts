@@ -13,7 +13,5 @@ export const ports: Ports = {
   files,
   createEngine: createBrowserEngine,
   readModel: readModelInWorker,
-  decodePicture: ({ bytes, mime }) =>
-    createImageBitmap(new Blob([bytes.slice()], { type: mime }), { premultiplyAlpha: "none", colorSpaceConversion: "none" }),
   calm: matchMedia("(prefers-reduced-motion: reduce)").matches,
 };

@@ -1,28 +1,14 @@
 // Parts and sides of a body, and what a joint's name says of them.
 
-export type Side = "left" | "right" | null;
+import type { BodyPart as CorePart, BodySide as CoreSide } from "../util/constants";
+
+export type Side = Exclude<CoreSide, "none"> | null;
 
 /**
  * A joint is named after where it is: upper_leg is the hip joint, lower_leg the knee, foot the ankle, toe the ball; shoulder is
  * the collar, upper_arm the shoulder joint, lower_arm the elbow, hand the wrist. tip is the end of the foot, end any other end.
  */
-export type BodyPart =
-  | "hips"
-  | "spine"
-  | "chest"
-  | "neck"
-  | "head"
-  | "shoulder"
-  | "upper_arm"
-  | "lower_arm"
-  | "hand"
-  | "finger"
-  | "upper_leg"
-  | "lower_leg"
-  | "foot"
-  | "toe"
-  | "tip"
-  | "end";
+export type BodyPart = Exclude<CorePart, "none">;
 
 export interface JointName {
   side: Side;

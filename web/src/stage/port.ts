@@ -1,23 +1,14 @@
 // What stands on the stage and what the hand does there: said by the app, drawn by the viewport. It never solves.
 
+import type { GltfDocument } from "../gltf/document";
+import type { Drawn } from "../gltf/drawn";
 import type { JointName } from "../skeleton/body-parts";
 
-/** A model as drawn: render vertices keep seams, normals and colours; each knows its solver vertex. */
-export interface DrawnModel {
-  /** R x 3, rest, stage metres. */
-  positions: Float32Array;
-  /** Triangles over render vertices. */
-  index: Uint32Array;
-  /** R: solver vertex (0..V-1) of each render vertex. */
-  toVertex: Uint32Array;
-  /** F x 3 over solver vertices, for picking and smooth normals. */
-  faces: Uint32Array;
-  /** R x 3 linear RGB, or null for clay. */
-  colors: Float32Array | null;
-  /** R x 2, or null. */
-  uvs: Float32Array | null;
-  /** Base colour picture, or null. */
-  texture: ImageBitmap | null;
+/** A model as drawn: its document, and where what that shows stands at rest, in stage metres and axes. */
+export interface DrawnModel extends Drawn {
+  readonly document: GltfDocument;
+  /** F x 3 over solver vertices, for picking and the ghost. */
+  readonly faces: Uint32Array;
 }
 
 export interface DrawnHuman {
@@ -88,7 +79,8 @@ export interface Insets {
 
 export interface StagePort {
   on<K extends keyof StageEvents>(name: K, listener: (detail: StageEvents[K]) => void): () => void;
-  setModel(model: DrawnModel | null): void;
+  /** Answers once the model can be seen; until then nothing of it is. */
+  setModel(model: DrawnModel | null): Promise<void>;
   /** V x 3 world; drawn at the next animation frame. */
   setVertices(positions: Float32Array): void;
   setHuman(human: DrawnHuman | null): void;

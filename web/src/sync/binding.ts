@@ -2,11 +2,11 @@
 // already is not told again.
 
 import { clipOf } from "../document/clips";
-import type { ProjectDocument } from "../document/types";
+import type { MeshRef, ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
 import type { CallOptions, Engine, Frame, MeshReport, Motion, MotionInput, Performance } from "../engine/types";
 import type { SolverModel } from "./placement";
-import { controlInputs, meshInput, retargetInput } from "./translate";
+import { controlInputs, meshInput, retargetInput, solveOf } from "./translate";
 
 /** The options of a call, by what it does in plain words. */
 export type CallFor = (step: string) => CallOptions;
@@ -80,7 +80,7 @@ export class Binding {
 
   private async takeMesh({ mesh }: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {
     const held = this.mesh;
-    if (held?.model === model && held.mesh.facing === mesh.facing && held.mesh.up === mesh.up) return;
+    if (held?.model === model && sameMesh(held.mesh, mesh)) return;
     const report = await this.engine.setMesh(meshInput(model, mesh), call("Binding the model"));
     this.mesh = { model, mesh, report };
     this.points = null;
@@ -95,6 +95,11 @@ export class Binding {
     this.points = key;
     this.solved = null;
   }
+}
+
+/** Whether a model taken as one is taken as the other. */
+export function sameMesh(a: MeshRef, b: MeshRef): boolean {
+  return a.facing === b.facing && a.up === b.up && solveOf(a) === solveOf(b);
 }
 
 /** What a dance depends on besides mesh and motion, by identity: the document is immutable. */

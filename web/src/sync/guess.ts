@@ -18,10 +18,22 @@ export interface Guess {
   roles: NonNullable<ProjectDocument["joints"]>;
 }
 
-const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "foreleg", "foot", "chest", "hips", "tail", "tip"];
+const ROLES: readonly BodyPoint["role"][] = ["head", "hand", "elbow", "foreleg", "foot", "knee", "chest", "hips", "tail", "tip"];
 
 /** The part of the human that moves a point. Others follow the whole pose. */
-const PART: Partial<Record<BodyPoint["role"], BodyPart>> = { head: "head", hand: "hand", foot: "foot", foreleg: "foot", hips: "hips" };
+const PART: Partial<Record<BodyPoint["role"], BodyPart>> = {
+  head: "head",
+  hand: "hand",
+  elbow: "lower_arm",
+  foot: "foot",
+  foreleg: "foot",
+  knee: "lower_leg",
+  chest: "chest",
+  hips: "hips",
+};
+
+/** These hold the trunk. */
+const TRUNK: ReadonlySet<BodyPoint["role"]> = new Set(["hips", "chest"]);
 
 /** Points on the model with the joints of a motion that they follow. */
 export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAnalysis, joints: readonly Joint[]): Guess {
@@ -37,6 +49,7 @@ export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAna
       position: [x, y, z],
       joint: jointOf(point, joints)?.name ?? null,
       radius: Math.round((1000 * point.radius * scale) / STAGE_HEIGHT) / 1000,
+      ...(TRUNK.has(point.role) ? { slab: true } : {}),
       ...(point.partner >= 0 ? { mirror: ids[point.partner] } : {}),
     };
   });
@@ -59,7 +72,7 @@ export function guessProject(
   joints: readonly Joint[],
 ): ProjectDocument {
   const { mesh, points, roles } = guessPoints(model, said, joints);
-  return addPoints(points, roles)(newDocument(name, { file, ...mesh }, { files: motion }));
+  return addPoints(points, roles)(newDocument(name, { file, ...mesh, solve: "solid" }, { files: motion }));
 }
 
 /** From head to foot, left before right. */

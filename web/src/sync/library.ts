@@ -42,12 +42,11 @@ export class Library {
 
 /** The texts of a motion's files, in the order in which a project names them. */
 export function motionTexts(motion: MotionInput): string[] {
-  return "skeleton" in motion ? [motion.skeleton, motion.text] : [motion.text];
+  return [...(motion.skeleton ? [motion.skeleton.text] : []), motion.text];
 }
 
 function sameMotion(a: MotionInput, b: MotionInput): boolean {
-  const texts = motionTexts(b);
-  return a.format === b.format && motionTexts(a).every((text, k) => text === texts[k]);
+  return a.text === b.text && a.skeleton?.text === b.skeleton?.text;
 }
 
 /** "cow.obj" -> "cow 2.obj" if it is taken. */

@@ -4,20 +4,24 @@
 import { clipOf } from "../document/clips";
 import { pointToStage, toStage } from "../document/stage";
 import type { Clip, MeshRef, Pin, ProjectDocument } from "../document/types";
-import type { ConstraintInput, ContactInput, ControlInput, MeshInput, Motion, RetargetInput } from "../engine/types";
+import type { BoundMeshInput, ConstraintInput, ContactInput, ControlInput, Motion, RetargetInput, Solve } from "../engine/types";
 import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
 import { exampleJoints, pointJoints } from "./pairing";
 import { type SolverModel, stageFor } from "./placement";
 import { exampleControls, own, pointPartners, pointVertices } from "./point-controls";
 
-export function meshInput(model: SolverModel, mesh: MeshRef): MeshInput {
-  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces };
+/** What of a model is solved. */
+export const solveOf = (mesh: MeshRef): Solve => mesh.solve ?? "surface";
+
+export function meshInput(model: SolverModel, mesh: MeshRef): BoundMeshInput {
+  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces, solve: solveOf(mesh) };
 }
 
 export function controlInputs(model: SolverModel, document: Pick<ProjectDocument, "points">): ControlInput[] {
   return pointVertices(model, document.points).map((vertex, c) => ({
     vertex,
     radius: (document.points[c].radius ?? DEFAULT_RADIUS) * STAGE_HEIGHT,
+    slab: document.points[c].slab ?? false,
   }));
 }
 
@@ -49,7 +53,7 @@ export function pinsWithin({ pins = [] }: Clip, frames: number): readonly Pin[] 
 
 function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, frame, position }: Pin): ConstraintInput {
   const control = document.points.findIndex(({ id }) => id === point);
-  if (kind === "still" || !position) return { kind: "still", control, frame };
+  if (kind === "still" || !position) return { kind: "velocity", control, frame, value: [0, 0, 0] };
   return { kind: "position", control, frame, value: [...pointToStage(stageFor(model, document.mesh), position)] };
 }
 

@@ -5,7 +5,7 @@ import type { ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
 import type { CallOptions, Engine, Frame, MeshReport, Motion, Performance, ShapeAnalysis } from "../engine/types";
 import { Emitter } from "../util/emitter";
-import { Binding, type Parts, type TakenMesh, type TakenMotion } from "./binding";
+import { Binding, sameMesh, type Parts, type TakenMesh, type TakenMotion } from "./binding";
 import { FrameCache } from "./frame-cache";
 import { Library } from "./library";
 import type { SolverModel } from "./placement";
@@ -174,8 +174,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     const { told } = this;
     const { mesh, motion } = this.binding;
     this.told = { mesh, motion };
-    const turned = told.mesh?.mesh.facing !== mesh?.mesh.facing || told.mesh?.mesh.up !== mesh?.mesh.up;
-    if (mesh && (told.mesh?.model !== mesh.model || turned)) {
+    if (mesh && (told.mesh?.model !== mesh.model || !sameMesh(told.mesh.mesh, mesh.mesh))) {
       this.report = mesh.report;
       this.cache.clear();
       this.performance = null;

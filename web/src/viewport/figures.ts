@@ -20,13 +20,25 @@ export class Figures {
   private nextPose: Float32Array | null = null;
   private viewSize: [number, number] = [1, 1];
   private rays: typeof SurfacePicker | null = null;
+  /** On its way from the beginning: the first model waits for it. */
+  private readonly looks = import("./look");
 
   constructor(
     private readonly scenery: Scenery,
     private theme: Theme,
   ) {}
 
-  setModel(model: DrawnModel | null): void {
+  /** Answers true once the model has its look, false if another one has come before. */
+  async setModel(model: DrawnModel | null): Promise<boolean> {
+    const figure = this.place(model);
+    if (!figure || !model) return true;
+    const look = await this.looks.then(({ loadLook }) => loadLook(model.document, model.instances)).catch(clay);
+    if (this.model === figure) figure.dress(look);
+    else look?.dispose();
+    return this.model === figure;
+  }
+
+  private place(model: DrawnModel | null): ModelFigure | null {
     const { model: lane } = this.scenery;
     if (this.model) lane.group.remove(this.model.group);
     this.model?.dispose();
@@ -37,6 +49,7 @@ export class Figures {
     if (this.model) lane.group.add(this.model.group);
     lane.shadow.mesh.visible = this.model !== null;
     this.scenery.setWidth(lane, this.model ? modelWidth(this.model.rest) : 0);
+    return this.model;
   }
 
   setHuman(human: DrawnHuman | null): void {
@@ -141,6 +154,12 @@ export class Figures {
     this.picker?.dispose();
     this.mannequin?.dispose();
   }
+}
+
+/** Nobody could tell how the model looks: better seen as clay than not at all. */
+function clay(error: unknown): null {
+  console.warn(error);
+  return null;
 }
 
 /** Wide enough for the model to turn a little. */

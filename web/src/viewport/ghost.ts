@@ -2,6 +2,8 @@
 
 import {
   BackSide,
+  BufferAttribute,
+  BufferGeometry,
   Color,
   DoubleSide,
   Group,
@@ -13,7 +15,6 @@ import {
   ShaderMaterial,
   Vector2,
 } from "three";
-import type { Shape } from "./shape";
 import type { Theme } from "./theme";
 
 export class Ghost {
@@ -39,9 +40,13 @@ export class Ghost {
       }`,
   });
 
-  constructor(readonly shape: Shape) {
-    const edge = new Mesh(shape.geometry, this.edge);
-    const fill = new Mesh(shape.geometry, this.fill);
+  private readonly geometry = new BufferGeometry();
+
+  /** `faces`: F x 3 over solver vertices; their smooth normals lead the edge outwards without a gap. */
+  constructor(faces: Uint32Array) {
+    this.geometry.setIndex(new BufferAttribute(faces, 1));
+    const edge = new Mesh(this.geometry, this.edge);
+    const fill = new Mesh(this.geometry, this.fill);
     const materials: Material[] = [this.edge, this.fill];
     for (const material of materials) {
       material.depthTest = material.depthWrite = material.toneMapped = false;
@@ -58,6 +63,12 @@ export class Ghost {
     this.group.add(fill, edge);
   }
 
+  /** V x 3, which stay the caller's. */
+  write(vertices: Float32Array): void {
+    this.geometry.setAttribute("position", new BufferAttribute(vertices, 3));
+    this.geometry.computeVertexNormals();
+  }
+
   setTheme(theme: Theme): void {
     this.fill.color.copy(theme.pencilSoft);
     this.edge.uniforms["color"]!.value.copy(theme.pencil);
@@ -68,7 +79,7 @@ export class Ghost {
   }
 
   dispose(): void {
-    this.shape.dispose();
+    this.geometry.dispose();
     this.fill.dispose();
     this.edge.dispose();
   }

@@ -1,58 +1,54 @@
-// The model: one shape, its clay or its own colours, and the ghost behind it.
+// The model: a mesh for each instance of its document, and the ghost behind it.
 
-import {
-  BufferAttribute,
-  DoubleSide,
-  Group,
-  Mesh,
-  MeshStandardMaterial,
-  RepeatWrapping,
-  ReplaceStencilOp,
-  SRGBColorSpace,
-  Texture,
-} from "three";
+import { BufferAttribute, Group, type InterleavedBufferAttribute, Mesh, MeshStandardMaterial } from "three";
+import { bindNormals, type NormalBinding } from "../gltf/surface-normals";
+import type { DrawnModel } from "../stage/port";
 import { Ghost } from "./ghost";
-import { buildTopology, type Topology } from "./normals";
+import type { Look } from "./look";
 import { Shape } from "./shape";
 import type { Theme } from "./theme";
-import type { DrawnModel } from "../stage/port";
 
 const CLAY = "#e4d2bf";
 
 export class ModelFigure {
   readonly group = new Group();
-  readonly material: MeshStandardMaterial;
+  /** By instance of the model: its render vertices begin at the instance's `first`. Not seen before they have a look. */
+  readonly meshes: readonly Mesh[];
   /** V x 3, rest, stage metres. */
   readonly rest: Float32Array;
   /** V x 3, what is drawn now. */
   vertices: Float32Array;
-  private readonly topology: Topology;
+  private readonly normals: NormalBinding;
   private readonly shape: Shape;
+  private readonly bodies = new Group();
   private ghost: Ghost | null = null;
-  private readonly texture: Texture | null;
+  private look: Look | null = null;
 
   constructor(readonly model: DrawnModel) {
-    this.topology = buildTopology(model.positions, model.index, model.toVertex);
     this.rest = restVertices(model);
     this.vertices = this.rest;
-    this.texture = model.texture && model.uvs ? pictureTexture(model.texture) : null;
-    this.material = new MeshStandardMaterial({
-      color: this.texture || model.colors ? "#ffffff" : CLAY,
-      map: this.texture,
-      vertexColors: model.colors !== null,
-      roughness: 0.8,
-      metalness: 0,
-      side: DoubleSide,
-      stencilWrite: true, // marks its pixels, so that the ghost stays behind
-      stencilRef: 1,
-      stencilZPass: ReplaceStencilOp,
+    this.normals = bindNormals(this.rest, model);
+    this.shape = new Shape(model, this.normals);
+    this.meshes = this.shape.geometries.map((geometry) => {
+      const mesh = new Mesh(geometry);
+      mesh.castShadow = mesh.receiveShadow = true;
+      mesh.frustumCulled = false;
+      return mesh;
     });
-    this.shape = this.newShape();
-    this.shape.write(this.rest);
-    const mesh = new Mesh(this.shape.geometry, this.material);
-    mesh.castShadow = mesh.receiveShadow = true;
-    mesh.frustumCulled = false;
-    this.group.add(mesh);
+    this.bodies.visible = false;
+    this.bodies.add(...this.meshes);
+    this.group.add(this.bodies);
+  }
+
+  /** Shows the model as its file says; as clay where nobody could tell how it looks. */
+  dress(look: Look | null): void {
+    this.look = look;
+    const clay = look ? null : new MeshStandardMaterial({ color: CLAY, roughness: 0.8, metalness: 0, side: 2 });
+    this.meshes.forEach((mesh, i) => {
+      mesh.material = look?.materials[i] ?? clay ?? mesh.material;
+      this.lay(mesh, i);
+    });
+    this.bodies.visible = true;
   }
 
   setVertices(vertices: Float32Array): void {
@@ -62,13 +58,13 @@ export class ModelFigure {
 
   setGhost(vertices: Float32Array | null, theme: Theme): void {
     if (vertices && !this.ghost) {
-      this.ghost = new Ghost(new Shape(this.topology));
+      this.ghost = new Ghost(this.model.faces);
       this.ghost.setTheme(theme);
       this.group.add(this.ghost.group);
     }
     if (this.ghost) {
       this.ghost.group.visible = vertices !== null;
-      if (vertices) this.ghost.shape.write(vertices);
+      if (vertices) this.ghost.write(vertices);
     }
   }
 
@@ -80,20 +76,30 @@ export class ModelFigure {
     this.ghost?.setViewSize(width, height);
   }
 
-  /** A second surface with the model's colours, for thumbnails. */
-  newShape(): Shape {
-    const shape = new Shape(this.topology);
-    const { colors, uvs } = this.model;
-    if (colors) shape.geometry.setAttribute("color", pick(colors, 3, this.topology.source));
-    if (uvs) shape.geometry.setAttribute("uv", pick(uvs, 2, this.topology.source));
-    return shape;
+  /** A second surface that looks as the first does now, for thumbnails. */
+  copy(): { shape: Shape; meshes: Mesh[] } {
+    const shape = new Shape(this.model, this.normals);
+    const meshes = shape.geometries.map((geometry, i) => {
+      const mesh = this.lay(new Mesh(geometry, this.meshes[i]!.material), i);
+      mesh.frustumCulled = false;
+      return mesh;
+    });
+    return { shape, meshes };
   }
 
   dispose(): void {
     this.shape.dispose();
     this.ghost?.dispose();
-    this.material.dispose();
-    this.texture?.dispose();
+    this.look?.dispose();
+  }
+
+  /** Lays colours and pictures' places on a mesh's vertices. */
+  private lay(mesh: Mesh, instance: number): Mesh {
+    const { vertices } = this.model.instances[instance]!;
+    for (const [name, attribute] of Object.entries(this.look?.attributes[instance] ?? {})) {
+      mesh.geometry.setAttribute(name, vertices ? picked(attribute, vertices) : attribute);
+    }
+    return mesh;
   }
 }
 
@@ -104,19 +110,12 @@ function restVertices(model: DrawnModel): Float32Array {
   return rest;
 }
 
-function pick(values: Float32Array, size: number, source: Uint32Array): BufferAttribute {
-  const out = new Float32Array(size * source.length);
-  source.forEach((r, i) => out.set(values.subarray(size * r, size * (r + 1)), size * i));
-  return new BufferAttribute(out, size);
-}
-
-/** glTF's convention: v = 0 is the top row, so nothing is flipped. */
-function pictureTexture(picture: ImageBitmap): Texture {
-  const texture = new Texture(picture);
-  texture.colorSpace = SRGBColorSpace;
-  texture.flipY = false;
-  texture.anisotropy = 4;
-  texture.wrapS = texture.wrapT = RepeatWrapping; // glTF's default
-  texture.needsUpdate = true;
-  return texture;
+/** An attribute of some of the vertices. */
+function picked(attribute: BufferAttribute | InterleavedBufferAttribute, vertices: Uint32Array): BufferAttribute {
+  const { itemSize } = attribute;
+  const out = new Float32Array(itemSize * vertices.length);
+  vertices.forEach((v, i) => {
+    for (let k = 0; k < itemSize; k++) out[itemSize * i + k] = attribute.getComponent(v, k);
+  });
+  return new BufferAttribute(out, itemSize);
 }

@@ -1,7 +1,7 @@
 // Small pictures of poses. They are drawn into a corner of the stage's own canvas and copied out before anyone sees it, which
 // keeps its tone mapping and smooth edges; the caller draws the stage again in the same task.
 
-import { Group, Mesh, PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from "three";
+import { Group, PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from "three";
 import { AZIMUTH, FIELD_OF_VIEW } from "./framing";
 import { Lights } from "./lights";
 import type { ModelFigure } from "./model-figure";
@@ -22,11 +22,9 @@ export class ThumbnailPainter {
   setModel(figure: ModelFigure | null): void {
     this.holder.clear();
     this.shape?.dispose();
-    this.shape = figure?.newShape() ?? null;
-    if (!figure || !this.shape) return;
-    const mesh = new Mesh(this.shape.geometry, figure.material);
-    mesh.frustumCulled = false;
-    this.holder.add(mesh);
+    const copy = figure?.copy();
+    this.shape = copy?.shape ?? null;
+    if (copy) this.holder.add(...copy.meshes);
   }
 
   setDark(dark: boolean): void {

@@ -80,9 +80,12 @@ export class Viewport implements StagePort {
     return this.events.on(name, listener);
   }
 
-  setModel(model: DrawnModel | null): void {
+  async setModel(model: DrawnModel | null): Promise<void> {
     this.hand.letGo(true);
-    this.figures.setModel(model);
+    const dressed = this.figures.setModel(model);
+    this.thumbnails.setModel(null);
+    this.invalidate();
+    if (!(await dressed) || this.lost) return;
     this.thumbnails.setModel(this.figures.model);
     this.invalidate();
   }

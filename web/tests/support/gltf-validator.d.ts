@@ -1,5 +1,5 @@
 declare module "gltf-validator" {
   export function validateBytes(
     bytes: Uint8Array,
-  ): Promise<{ issues: { numErrors: number; numWarnings: number; messages: readonly object[] } }>;
+  ): Promise<{ issues: { numErrors: number; numWarnings: number; messages: readonly { code: string }[] } }>;
 }

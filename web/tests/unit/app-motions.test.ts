@@ -16,6 +16,6 @@ test("built-in motions and those that were opened; the next one goes around the 
   context.history.apply(setMotion({ files: [assets.motions.at(-1)?.file ?? ""] }));
   expect(motions.next?.files).toEqual([first.file]);
   context.workspace.library.addMotion(["nod.bvh"], nod());
-  context.workspace.library.addMotion([first.file], { format: "bvh", name: first.file, text: "as built in" });
+  context.workspace.library.addMotion([first.file], { name: first.file, text: "as built in" });
   expect(motions.list.slice(assets.motions.length)).toEqual([{ files: ["nod.bvh"], builtin: false, name: "nod" }]);
 });

@@ -80,7 +80,7 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   insets: Parameters<StagePort["setInsets"]>[0] | null = null;
   readonly told: string[] = [];
 
-  setModel(model: PaperStage["model"]): void {
+  async setModel(model: PaperStage["model"]): Promise<void> {
     this.told.push("model");
     this.model = model;
   }
@@ -149,8 +149,6 @@ export function testPorts(): TestPorts {
       signal?.throwIfAborted();
       return model;
     },
-    // Nobody looks at it here: its size is that of the packed bytes.
-    decodePicture: async ({ bytes }) => ({ width: bytes.length, height: 1, close: () => {} }),
     calm: true,
   };
   return ports;
@@ -175,7 +173,7 @@ async function cactus({ workspace }: Context): Promise<ProjectDocument> {
   const name = document.mesh.file;
   const mesh = workspace.library.addModel(name, await readModel([{ name, bytes }]));
   const text = new TextDecoder().decode(await assets.load("motions/hop.bvh"));
-  const files = workspace.library.addMotion(["hop.bvh"], { format: "bvh", name: "hop.bvh", text });
+  const files = workspace.library.addMotion(["hop.bvh"], { name: "hop.bvh", text });
   return { ...document, mesh: { ...document.mesh, file: mesh }, motion: { files } };
 }
 

@@ -13,6 +13,6 @@ test("the rest shape and every pose get a picture, once the first moments are ov
   expect(new Set(pictures()).size).toBeGreaterThan(2);
 
   stage.emit("context-restored", {});
-  expect(thumbnails.rest).toBeNull();
+  await expect.poll(() => thumbnails.rest, { interval: 1 }).toBeNull();
   await expect.poll(() => pictures().includes(null)).toBe(false);
 });

@@ -58,7 +58,7 @@ describe.each(list)("$name", ({ file, seconds, travels }) => {
   it("is read whole, travels as listed, and its flights are found", async () => {
     const text = readFileSync(new URL(`../../assets/motions/${file}`, import.meta.url), "utf8");
     await setUpPost(engine);
-    const motion = await engine.setMotion({ format: "bvh", name: file, text });
+    const motion = await engine.setMotion({ name: file, text });
     expect(motion.notes).toEqual([`${file} seems to be in centimetres.`]);
     expect(Math.abs(motion.frames - seconds * 30)).toBeLessThanOrEqual(3);
     const J = motion.joints.length;

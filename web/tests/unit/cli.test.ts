@@ -3,7 +3,6 @@ import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { WebIO } from "@gltf-transform/core";
 import { validateBytes } from "gltf-validator";
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
 import { build } from "vite";
@@ -14,6 +13,7 @@ import { saveProject } from "../../src/io/project-file";
 import { parseProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
 import { hasShared, sharedFile } from "../support/files";
+import { openGlb, valuesOf } from "../support/gltf";
 import { SNAKE } from "../support/joints";
 import { post } from "./engine-support";
 
@@ -48,10 +48,11 @@ const trackOf = (name: string): Track => JSON.parse(readFileSync(join(folder, na
 
 /** V x 3 of target n played alone. */
 async function playedFrame(glb: Uint8Array<ArrayBuffer>, n: number): Promise<{ positions: Float32Array; targets: number }> {
-  const primitive = (await new WebIO().readBinary(glb)).getRoot().listMeshes()[0].listPrimitives()[0];
-  const rest = primitive.getAttribute("POSITION")?.getArray() ?? [];
-  const delta = primitive.listTargets()[n].getAttribute("POSITION")?.getArray() ?? [];
-  return { positions: Float32Array.from(rest, (x, i) => x + delta[i]), targets: primitive.listTargets().length };
+  const document = await openGlb(glb);
+  const rest = valuesOf(document, "POSITION") ?? [];
+  const delta = valuesOf(document, "POSITION", { target: n }) ?? [];
+  const { targets = [] } = document.json.meshes![0].primitives[0];
+  return { positions: Float32Array.from(rest, (x, i) => x + delta[i]), targets: targets.length };
 }
 
 function copySpot(into: string): void {

@@ -67,7 +67,7 @@ describe.skipIf(!hasShared)("a motion file", () => {
 
   test("in BVH too, brought to metres", async () => {
     const { bvh } = golden<{ bvh: GoldenClip }>("motion");
-    const motion = await engine.setMotion({ format: "bvh", name: "131_03.bvh", text: sharedText("motions/131_03.bvh") });
+    const motion = await engine.setMotion({ name: "131_03.bvh", text: sharedText("motions/131_03.bvh") });
     expect(motion.source.frames).toBe(1102);
     expect(motion.source.metresPerUnit).toBeCloseTo(0.0254 / 0.45, 6);
     comparePositions(motion, bvh, 0.0254 / 0.45, 2e-4);

@@ -58,9 +58,7 @@ function nearestVertex({ positions }: MeshInput, x: number, y: number, z: number
 }
 
 export const walk02 = (): MotionInput => ({
-  format: "acclaim",
-  skeletonName: "02.asf",
-  skeleton: sharedText("motions/02.asf"),
+  skeleton: { name: "02.asf", text: sharedText("motions/02.asf") },
   name: "02_01.amc",
   text: sharedText("motions/02_01.amc"),
 });
@@ -127,7 +125,7 @@ export function nod(frames = 60): MotionInput {
     { length: frames },
     (_, f) => `0 ${0.9 + 0.1 * Math.sin(f / 5)} 0 0 ${20 * Math.sin(f / 5)} 0 0 ${30 * Math.sin(f / 7)} 0`,
   );
-  return { format: "bvh", name: "nod.bvh", text: `${BVH_HEAD}Frames: ${frames}\nFrame Time: 0.0333333\n${rows.join("\n")}\n` };
+  return { name: "nod.bvh", text: `${BVH_HEAD}Frames: ${frames}\nFrame Time: 0.0333333\n${rows.join("\n")}\n` };
 }
 
 /** A mesh, its controls and a motion, ready to retarget. */

@@ -25,7 +25,7 @@ describe("constraints", () => {
     const performance = await engine.retarget({
       ...input,
       constraints: [
-        { kind: "still", control: 1, frame: 31 },
+        { kind: "velocity", control: 1, frame: 31, value: [0, 0, 0] },
         { kind: "position", control: 1, frame: 30, value: [0.3, 1.7, 0.1] },
       ],
     });
@@ -41,9 +41,9 @@ describe("constraints", () => {
     const { controls, missed } = await engine.retarget({
       ...input,
       constraints: [
-        { kind: "position", control: 1, frame: 30, value: [0, 1.6, 0], axes: [true, false, false] },
-        { kind: "position", control: 0, frame: 10, value: [0, 0.1, 0], axes: [false, true, false] },
-        { kind: "position", control: 1, frame: 30, value: [0.2, 9, 9], axes: [true, false, false] },
+        { kind: "position", control: 1, frame: 30, value: [0, 1.6, 0] },
+        { kind: "position", control: 0, frame: 10, value: [0, 0.1, 0] },
+        { kind: "position", control: 1, frame: 30, value: [0.2, 1.6, 0] },
       ],
     });
     expect(at(controls, 2, 30, 1)[0]).toBeCloseTo(0.1, 5);
@@ -56,7 +56,7 @@ describe("constraints", () => {
   test("for what does not exist are refused by number", async () => {
     await setUpPost(engine);
     const good: RetargetInput["constraints"] = [
-      { kind: "still", control: 1, frame: 4 },
+      { kind: "velocity", control: 1, frame: 4, value: [0, 0, 0] },
       { kind: "position", control: 1, frame: 3, value: [0, 1.6, 0] },
     ];
     const refused = (constraint: NonNullable<RetargetInput["constraints"]>[number]) =>
@@ -64,7 +64,7 @@ describe("constraints", () => {
         () => "",
         (error: EngineError) => error.message,
       );
-    expect(await refused({ kind: "still", control: 0, frame: 0 })).toMatch(/^Pin 3 /);
+    expect(await refused({ kind: "velocity", control: 0, frame: 0, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
     expect(await refused({ kind: "position", control: 2, frame: 3, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
     expect(await refused({ kind: "position", control: -1, frame: 3, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
     expect(await refused({ kind: "position", control: 0, frame: 60, value: [0, 0, 0] })).toMatch(/^Pin 3 /);

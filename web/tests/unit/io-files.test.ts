@@ -39,8 +39,8 @@ describe("motions among files", () => {
     const { motions, problems } = await findMotions(files);
     expect(problems).toEqual([]);
     expect(motions.map((motion) => motion.files)).toEqual([["07.asf", "07_05.amc"], ["02.asf", "a/02_01.amc"], ["hop.bvh"]]);
-    expect(motions[1].input).toEqual({ format: "acclaim", skeletonName: "02.asf", skeleton: ASF, name: "02_01.amc", text: AMC });
-    expect(motions[2].input).toEqual({ format: "bvh", name: "hop.bvh", text: BVH });
+    expect(motions[1].input).toEqual({ name: "02_01.amc", text: AMC, skeleton: { name: "02.asf", text: ASF } });
+    expect(motions[2].input).toEqual({ name: "hop.bvh", text: BVH });
   });
 
   it("says what is missing", async () => {
@@ -56,12 +56,12 @@ describe("motions among files", () => {
     const wide = Uint8Array.from([0xff, 0xfe, ...[...BVH].flatMap((letter) => [letter.charCodeAt(0), 0])]);
     expect(
       (await findMotions([textFile("hop.txt", BVH), { name: "wide.bvh", bytes: wide }])).motions.map(({ input }) => [
-        input.format,
+        input.name,
         input.text,
       ]),
     ).toEqual([
-      ["bvh", BVH],
-      ["bvh", BVH],
+      ["hop.txt", BVH],
+      ["wide.bvh", BVH],
     ]);
     expect(decodeText(new TextEncoder().encode("\ufeffhé"))).toBe("hé");
   });
@@ -104,7 +104,7 @@ describe("project files", () => {
     expect(opened.modelFiles[0].name).toBe("cow.obj");
     expect(text(opened.modelFiles[0].bytes)).toBe(TETRAHEDRON);
     expect(opened.modelFiles.map((file) => file.name)).toContain("cow.png");
-    expect(opened.motion).toEqual({ format: "acclaim", skeletonName: "02.asf", skeleton: ASF, name: "02_01.amc", text: AMC });
+    expect(opened.motion).toEqual({ name: "02_01.amc", text: AMC, skeleton: { name: "02.asf", text: ASF } });
     expect(saveProject(document, files)).toEqual(saved);
     expect(projectFileName(document)).toBe("my cow.rigless");
   });

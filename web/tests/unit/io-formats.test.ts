@@ -56,8 +56,8 @@ it("sides of a drop come from the table alone", async () => {
     textFile("a.asf", ":bonedata\n"),
     textFile("b.bvh", "HIERARCHY"),
   ]);
-  expect(motions.map(({ files, input }) => [input.format, ...files])).toEqual([
-    ["acclaim", "a.asf", "a.amc"],
-    ["bvh", "b.bvh"],
+  expect(motions.map(({ files, input }) => [input.skeleton?.name, ...files])).toEqual([
+    ["a.asf", "a.asf", "a.amc"],
+    [undefined, "b.bvh"],
   ]);
 });

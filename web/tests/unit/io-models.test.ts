@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import { ModelError } from "../../src/io/named-file";
 import { type Model, readModel } from "../../src/io/read-model";
 import { PNG, TETRAHEDRON, textFile } from "../support/files";
+import { laidOn } from "../support/gltf";
 
 const read = (name: string, text: string, ...beside: Parameters<typeof readModel>[0]): Promise<Model> =>
   readModel([textFile(name, text), ...beside]);
@@ -17,6 +18,7 @@ async function refusal(name: string, content: string | Uint8Array): Promise<stri
   return (error as ModelError).message;
 }
 
+/** Solver vertices, faces, and render vertices, which creases split. */
 const sizes = (model: Model): number[] => [model.positions.length / 3, model.faces.length / 3, model.drawn.toVertex.length];
 
 /** Twice the signed volume: tells that faces kept their turn. */
@@ -45,7 +47,7 @@ const CUBE_FACES = [
 describe("OBJ", () => {
   it("reads polygons", async () => {
     const model = await read("cube.obj", CUBE + CUBE_FACES.map((f) => `f ${f.join(" ")}`).join("\n"));
-    expect(sizes(model)).toEqual([8, 12, 8]);
+    expect(sizes(model)).toEqual([8, 12, 24]);
     expect(volume(model)).toBeCloseTo(1, 6);
   });
 
@@ -60,36 +62,37 @@ describe("OBJ", () => {
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 .25\nvt .5 .5\nf 1/1 2/2 3/3\nf 1/4 3/3 4/2\n",
     );
     expect(sizes(model)).toEqual([4, 2, 5]);
-    expect([...(model.drawn.uvs ?? [])].slice(0, 6)).toEqual([0, 1, 1, 1, 1, 0.75]);
+    expect(laidOn(model, "TEXCOORD_0", 2)?.slice(0, 6)).toEqual([0, 1, 1, 1, 1, 0.75]);
   });
 
   it("keeps vertex colours, linear", async () => {
     const model = await read("rgb.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 .5 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
-    expect([...(model.drawn.colors ?? [])]).toEqual([1, 0, 0, 0, expect.closeTo(0.214, 4), 0, 0, 0, 1]);
+    expect(laidOn(model, "COLOR_0", 3)).toEqual([1, 0, 0, 0, expect.closeTo(0.214, 4), 0, 0, 0, 1]);
   });
 
   it("takes colours and the picture from the material file beside it", async () => {
     const mtl = textFile("m/wood.mtl", "newmtl oak\nKd 1 1 1\nmap_Kd -s 1 1 1 tex/wood grain.png\n");
     const text = "mtllib m/wood.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl oak\nf 1/1 2/1 3/1\n";
     const dressed = await read("table.obj", text, mtl, { name: "m/tex/wood grain.png", bytes: PNG });
-    expect(dressed.drawn.texture).toEqual({ bytes: PNG, mime: "image/png" });
+    expect(dressed.document.images).toEqual([{ bytes: PNG, mime: "image/png", drawn: true }]);
+    expect(dressed.document.json.materials?.[0].pbrMetallicRoughness?.baseColorTexture).toEqual({ index: 0 });
     expect(dressed.notes).toEqual([]);
     const plain = await read("table.obj", text, mtl);
-    expect(plain.drawn.texture).toBeNull();
+    expect(plain.document.images).toEqual([null]);
     expect(plain.notes).toEqual(["This model names wood grain.png; drop it too."]);
     const red = await read("table.obj", text, textFile("wood.mtl", "newmtl oak\nKd 1 0 0\n"));
-    expect([...(red.drawn.colors ?? [])].slice(0, 3)).toEqual([1, 0, 0]);
+    expect(red.document.json.materials?.[0].pbrMetallicRoughness?.baseColorFactor).toEqual([1, 0, 0, 1]);
   });
 
   it("leaves out lines, loose points, faces without area and faces that are there twice, and says so", async () => {
     const model = await read("mess.obj", `${TETRAHEDRON}v 9 9 9\nv 8 8 8\nl 1 2\np 5\nf 1 3 2\nf 3 2 1\nf 1 1 2\nf 2 3 1\n`);
-    expect(sizes(model)).toEqual([4, 5, 4]); // the fifth face is the first one turned over: another side
+    expect(sizes(model)).toEqual([4, 5, 11]); // the fifth face is the first one turned over: another side
     expect(model.notes).toEqual(["Left out 2 loose points that no face uses.", "Left out 3 triangles without area or there twice."]);
   });
 
   it("reads every kind of line end, continued lines and tabs", async () => {
-    for (const end of ["\r\n", "\r"]) expect(sizes(await read("t.obj", TETRAHEDRON.replaceAll("\n", end)))).toEqual([4, 4, 4]);
-    expect(sizes(await read("t.obj", TETRAHEDRON.replace("f 1 3 2", "f\t1 \\\n 3 2")))).toEqual([4, 4, 4]);
+    for (const end of ["\r\n", "\r"]) expect(sizes(await read("t.obj", TETRAHEDRON.replaceAll("\n", end)))).toEqual([4, 4, 12]);
+    expect(sizes(await read("t.obj", TETRAHEDRON.replace("f 1 3 2", "f\t1 \\\n 3 2")))).toEqual([4, 4, 12]);
   });
 
   it.each([
@@ -123,16 +126,16 @@ describe("OFF", () => {
   const off = "# a comment\nOFF # kind\n4 4 6\n\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2 255 0 0\n3 1 2 3 # last\n";
 
   it("reads comments, counts on the first line, face colours and polygons", async () => {
-    expect(sizes(await read("t.off", off))).toEqual([4, 4, 4]);
+    expect(sizes(await read("t.off", off))).toEqual([4, 4, 12]);
     expect(volume(await read("t.off", off))).toBeCloseTo(1 / 6, 6);
     expect(sizes(await read("q.off", "OFF 4 1 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"))).toEqual([4, 2, 4]);
   });
 
   it("reads colours and normals of vertices", async () => {
     const bytes = await read("c.off", "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n");
-    expect([...(bytes.drawn.colors ?? [])]).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1]);
+    expect(laidOn(bytes, "COLOR_0", 3)).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1]);
     const both = await read("cn.off", "CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1\n1 0 0 0 0 1 1 0 0 1\n0 1 0 0 0 1 1 0 0 1\n3 0 1 2\n");
-    expect([...(both.drawn.colors ?? [])]).toEqual([1, 0, 0, 1, 0, 0, 1, 0, 0]);
+    expect(laidOn(both, "COLOR_0", 3)).toEqual([1, 0, 0, 1, 0, 0, 1, 0, 0]);
   });
 
   it.each([
@@ -182,7 +185,7 @@ describe("PLY", () => {
       const model = await readModel([{ name: "house.ply", bytes }]);
       expect(sizes(model)).toEqual([5, 3, 5]);
       expect([...model.positions]).toEqual(rows.flat());
-      expect([...(model.drawn.colors ?? [])].slice(0, 3)).toEqual([1, 0, 0]);
+      expect(laidOn(model, "COLOR_0", 3)?.slice(0, 3)).toEqual([1, 0, 0]);
     }
   });
 
@@ -240,15 +243,15 @@ describe("STL", () => {
       Buffer.concat([binary("solid"), Buffer.from("more")]),
     ]) {
       const model = await readModel([{ name: "t.stl", bytes }]);
-      expect(sizes(model)).toEqual([4, 4, 4]);
+      expect(sizes(model)).toEqual([4, 4, 12]);
       expect(volume(model)).toBeCloseTo(1 / 6, 6);
     }
   });
 
   it("welds corners that differ by rounding, not by more", async () => {
     const nearly = ascii.replace("vertex 1 0 0", "vertex 1.0000008 -0.0000007 0");
-    expect(sizes(await read("t.stl", nearly))).toEqual([4, 4, 4]);
-    expect(sizes(await read("t.stl", ascii.replace("vertex 1 0 0", "vertex 1.0001 0 0")))).toEqual([5, 4, 5]);
+    expect(sizes(await read("t.stl", nearly))).toEqual([4, 4, 12]);
+    expect(sizes(await read("t.stl", ascii.replace("vertex 1 0 0", "vertex 1.0001 0 0")))).toEqual([5, 4, 12]);
   });
 
   it.each<[string, string | Uint8Array]>([

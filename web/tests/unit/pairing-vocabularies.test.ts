@@ -107,7 +107,7 @@ let engine: Engine;
 beforeAll(async () => void (engine = await createNodeEngine()));
 afterAll(() => engine.close());
 
-const read = (text: string): Promise<Motion> => engine.setMotion({ format: "bvh", name: "walk.bvh", text });
+const read = (text: string): Promise<Motion> => engine.setMotion({ name: "walk.bvh", text });
 
 async function dance(model: SolverModel, document: ProjectDocument, motion: Motion): Promise<Performance> {
   await engine.setMesh(meshInput(model, document.mesh));

@@ -15,7 +15,7 @@ test("two models of one name are two models", () => {
 
 test("the same motion opened twice is kept once; another text of that name gets a name of its own", () => {
   const library = new Library();
-  const bvh = (text: string) => ({ format: "bvh", name: "a.bvh", text }) as const;
+  const bvh = (text: string) => ({ name: "a.bvh", text }) as const;
   expect(library.addMotion(["a.bvh"], bvh("1"))).toEqual(["a.bvh"]);
   expect(library.addMotion(["a.bvh"], bvh("1"))).toEqual(["a.bvh"]);
   expect(library.addMotion(["a.bvh"], bvh("2"))).toEqual(["a 2.bvh"]);

@@ -93,7 +93,7 @@ describe("what the engine is asked", async () => {
     expect(pointFromStage(stage, (input.constraints?.[0] as { value: [number, number, number] }).value)).toEqual(
       [0, 2, 0].map((v) => expect.closeTo(v, 5)),
     );
-    expect(input.constraints?.[1]).toEqual({ kind: "still", control: 0, frame: 3 });
+    expect(input.constraints?.[1]).toEqual({ kind: "velocity", control: 0, frame: 3, value: [0, 0, 0] });
     expect(input.contacts).toEqual([
       { control: 0, runs: [] },
       {

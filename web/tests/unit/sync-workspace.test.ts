@@ -27,7 +27,7 @@ async function cactus(): Promise<ProjectDocument> {
   const short = [...lines.slice(0, at), "Frames: 30", ...lines.slice(at + 1, at + 2 + 30)].join("\n");
   const bytes = asset("cactus/cactus.glb");
   const file = workspace.library.addModel("cactus.glb", await readModel([{ name: "cactus.glb", bytes }]));
-  const files = workspace.library.addMotion(["hop.bvh"], { format: "bvh", name: "hop.bvh", text: short });
+  const files = workspace.library.addMotion(["hop.bvh"], { name: "hop.bvh", text: short });
   return { ...document, mesh: { ...document.mesh, file }, motion: { files } };
 }
 
@@ -110,7 +110,7 @@ test("a lost engine is replaced and told everything again", async () => {
 
 test("what the engine refuses is refused before it is the document; the dance stays", async () => {
   const before = await danced();
-  const files = workspace.library.addMotion(["bad.bvh"], { format: "bvh", name: "bad.bvh", text: "HIERARCHY\nROOT Hips\n{\n" });
+  const files = workspace.library.addMotion(["bad.bvh"], { name: "bad.bvh", text: "HIERARCHY\nROOT Hips\n{\n" });
   await expect(workspace.tryOn({ ...store.document, motion: { files } })).rejects.toMatchObject({
     code: "bad_motion",
     message: expect.stringContaining("bad.bvh"),

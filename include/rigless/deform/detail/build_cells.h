@@ -6,6 +6,44 @@
 
 namespace rigless::detail {
 
+// Errors: size_mismatch; not_finite (where: vertex).
+template <class S>
+Status check_rest(Span<const Vec3<S>> rest, Span<const S> rigidity) {
+  if (!rigidity.empty() && rigidity.size() != rest.size()) return {Error::size_mismatch, -1};
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const bool stiff = rigidity.empty() || (rigidity[v] > S(0) && std::isfinite(rigidity[v]));
+    if (!rest[v].allFinite() || !stiff) return {Error::not_finite, v};
+  }
+  return {};
+}
+
+// An edge gets the smaller of its ends' rigidities (V numbers or none).
+template <class S>
+void stiffen(Span<const S> rigidity, Cells<S>& cells) {
+  for (std::size_t i = 0; i < rigidity.size(); ++i) {
+    for (auto k = to_size(cells.ring.first[i]); k < to_size(cells.ring.first[i + 1]); ++k) {
+      cells.weight[k] *= std::min(rigidity[i], nth(rigidity, cells.ring.neighbor[k]));
+    }
+  }
+}
+
+// Cells of a graph of V nodes with a weight per directed edge. Allocates. On failure `out` stays as it was. Errors:
+// not_finite (node, also for a rigidity that is not above 0); size_mismatch (ring, weight, rigidity).
+template <class S>
+RIGLESS_COLD Status graph_cells(Span<const Vec3<S>> rest, const OneRing& ring, Span<const S> weight,
+                                Span<const S> rigidity, Cells<S>& out) {
+  if (ring.vertices() != count_of(rest) || weight.size() != ring.neighbor.size()) return {Error::size_mismatch, -1};
+  if (const Status s = check_rest(rest, rigidity); !s.ok()) return s;
+  Cells<S> cells;
+  cells.rest.assign(rest.begin(), rest.end());
+  cells.ring = ring;
+  cells.weight.assign(weight.begin(), weight.end());
+  stiffen(rigidity, cells);
+  measure_cells(cells);
+  out = std::move(cells);
+  return {};
+}
+
 // Cells of V rest vertices and F faces; shells and isolated vertices are tied to what is nearest. `rigidity` is V
 // numbers or none: an edge gets the smaller of its ends'. Allocates. On failure `out` stays as it was. Errors:
 // no_faces; index_out_of_range (face); not_finite (vertex, also for a rigidity that is not above 0); size_mismatch
@@ -15,11 +53,7 @@ RIGLESS_COLD Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces
                                 Cells<S>& out) {
   const auto count = count_of(rest);
   if (const Status s = check_faces(faces, count); !s.ok()) return s;
-  if (!rigidity.empty() && rigidity.size() != rest.size()) return {Error::size_mismatch, -1};
-  for (std::size_t v = 0; v < rest.size(); ++v) {
-    const bool stiff = rigidity.empty() || (rigidity[v] > S(0) && std::isfinite(rigidity[v]));
-    if (!rest[v].allFinite() || !stiff) return {Error::not_finite, v};
-  }
+  if (const Status s = check_rest(rest, rigidity); !s.ok()) return s;
   Cells<S> cells;
   cells.rest.assign(rest.begin(), rest.end());
   cells.ring = one_ring(faces, count);
@@ -36,11 +70,7 @@ RIGLESS_COLD Status build_cells(Span<const Vec3<S>> rest, Span<const Face> faces
     nth(cells.weight, cells.ring.slot(a, b)) = S(1);
     nth(cells.weight, cells.ring.slot(b, a)) = S(1);
   }
-  for (std::size_t i = 0; i < rigidity.size(); ++i) {
-    for (auto k = to_size(cells.ring.first[i]); k < to_size(cells.ring.first[i + 1]); ++k) {
-      cells.weight[k] *= std::min(rigidity[i], nth(rigidity, cells.ring.neighbor[k]));
-    }
-  }
+  stiffen(rigidity, cells);
   measure_cells(cells);
   out = std::move(cells);
   return {};

@@ -11,9 +11,10 @@ namespace rigless {
 
 // The vertices that controls hold. A vertex belongs to the nearest control; a control's own vertex always to itself, or
 // to the first of those that share it. Public through Deformer::discs().
+template <class S>
 struct Discs {
   std::vector<std::int32_t> owner;   // V: control, or -1 where the surface is free
-  std::vector<std::int32_t> center;  // C: vertex
+  std::vector<Vec3<S>> center;       // C: the control at rest
   std::vector<std::int32_t> first;   // C + 1: into member
   std::vector<std::int32_t> member;  // vertices, control by control
 
@@ -25,20 +26,36 @@ struct Discs {
 
 namespace rigless::detail {
 
-// Grows the discs. Allocates. Errors: no_controls; index_out_of_range (where: control).
+// Lists the members of C discs, whose centers and owners are told. Allocates.
 template <class S>
-RIGLESS_COLD Status make_discs(const Cells<S>& cells, Span<const Control<S>> controls, Discs& out) {
+RIGLESS_COLD void list_members(Discs<S>& discs) {
+  discs.first.assign(discs.center.size() + 1, 0);
+  for (std::int32_t c : discs.owner) {
+    if (c >= 0) discs.first[to_size(c) + 1]++;
+  }
+  for (std::size_t c = 0; c < discs.center.size(); ++c) discs.first[c + 1] += discs.first[c];
+  discs.member.resize(to_size(discs.first.back()));
+  std::vector<std::int32_t> next = discs.first;
+  for (std::size_t v = 0; v < discs.owner.size(); ++v) {
+    if (discs.owner[v] < 0) continue;
+    nth(discs.member, nth(next, discs.owner[v])++) = static_cast<std::int32_t>(v);
+  }
+}
+
+// Grows discs along the surface. Allocates. Errors: no_controls; index_out_of_range (where: control).
+template <class S>
+RIGLESS_COLD Status make_discs(const Cells<S>& cells, Span<const Control<S>> controls, Discs<S>& out) {
   if (controls.empty()) return {Error::no_controls, -1};
   for (std::size_t c = 0; c < controls.size(); ++c) {
     if (controls[c].vertex < 0 || to_size(controls[c].vertex) >= cells.size()) {
       return {Error::index_out_of_range, c};
     }
   }
-  Discs discs;
+  Discs<S> discs;
   discs.owner.assign(cells.size(), -1);
   std::vector<S> distance(cells.size(), std::numeric_limits<S>::max());
   for (std::size_t c = 0; c < controls.size(); ++c) {
-    discs.center.push_back(controls[c].vertex);
+    discs.center.push_back(nth(cells.rest, controls[c].vertex));
     for (const auto& [vertex, d] : vertices_within<S>(cells.rest, cells.ring, controls[c].vertex, controls[c].radius)) {
       const auto v = to_size(vertex);
       if (d >= distance[v]) continue;
@@ -46,17 +63,7 @@ RIGLESS_COLD Status make_discs(const Cells<S>& cells, Span<const Control<S>> con
       discs.owner[v] = static_cast<std::int32_t>(c);
     }
   }
-  discs.first.assign(controls.size() + 1, 0);
-  for (std::int32_t c : discs.owner) {
-    if (c >= 0) discs.first[to_size(c) + 1]++;
-  }
-  for (std::size_t c = 0; c < controls.size(); ++c) discs.first[c + 1] += discs.first[c];
-  discs.member.resize(to_size(discs.first.back()));
-  std::vector<std::int32_t> next = discs.first;
-  for (std::size_t v = 0; v < cells.size(); ++v) {
-    if (discs.owner[v] < 0) continue;
-    nth(discs.member, nth(next, discs.owner[v])++) = static_cast<std::int32_t>(v);
-  }
+  list_members(discs);
   out = std::move(discs);
   return {};
 }
@@ -81,13 +88,13 @@ struct DiscSeams {
 
 // Allocates.
 template <class S>
-RIGLESS_COLD DiscSeams<S> find_seams(const Cells<S>& cells, const Discs& discs) {
+RIGLESS_COLD DiscSeams<S> find_seams(const Cells<S>& cells, const Discs<S>& discs) {
   DiscSeams<S> seams;
   seams.inside.assign(discs.member.size(), Mat3<S>::Zero());
   seams.transform.assign(discs.member.size(), Mat3<S>::Identity());
   seams.first.push_back(0);
   for (std::size_t c = 0; c < discs.size(); ++c) {
-    const Vec3<S>& center = nth(cells.rest, discs.center[c]);
+    const Vec3<S>& center = discs.center[c];
     for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
       const auto k = to_size(nth(discs.member, m));
       for_each_edge(cells, k, [&](S w, const Vec3<S>& e, std::size_t j) {
@@ -108,7 +115,7 @@ RIGLESS_COLD DiscSeams<S> find_seams(const Cells<S>& cells, const Discs& discs) 
 // The covariance collects sum_k p_k q_k^T over the edges k -> j of the disc's vertices, p from the control at rest:
 // to an outer j, both directed copies ask Q p_k = x_j - t + M e_kj; inside the disc, each asks Q e_kl = M_k e_kl.
 template <class S, class Transform, class Position>
-Mat3<S> fit_disc(DiscSeams<S>& seams, const Discs& discs, std::size_t c, const Transform& transform,
+Mat3<S> fit_disc(DiscSeams<S>& seams, const Discs<S>& discs, std::size_t c, const Transform& transform,
                  const Position& position, const Vec3<S>& target) {
   Mat3<S> C = Mat3<S>::Zero();
   for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {

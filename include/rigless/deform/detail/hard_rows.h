@@ -23,7 +23,7 @@ class HardRows {
 
   // Holds the vertices of `to` where those of `from` were held. On failure `from` is held again.
   // Errors: factorization_failed.
-  Status hold(const Cells<S>& cells, const Discs& from, const Discs& to) {
+  Status hold(const Cells<S>& cells, const Discs<S>& from, const Discs<S>& to) {
     refill(cells, from, to);
     const Status status =
         factored_ ? ldlt_.refactorize(diagonal_, coupling_, changed_) : ldlt_.factorize(diagonal_, coupling_);
@@ -46,7 +46,7 @@ class HardRows {
 
  private:
   // Rewrites the rows of vertices that became held or free, and of their neighbours.
-  void refill(const Cells<S>& cells, const Discs& from, const Discs& to) {
+  void refill(const Cells<S>& cells, const Discs<S>& from, const Discs<S>& to) {
     changed_.clear();
     for (std::size_t v = 0; v < cells.size(); ++v) {
       if (!factored_) fill(cells, v, to);
@@ -59,7 +59,7 @@ class HardRows {
     }
   }
 
-  void fill(const Cells<S>& cells, std::size_t i, const Discs& discs) {
+  void fill(const Cells<S>& cells, std::size_t i, const Discs<S>& discs) {
     S diagonal = S(0);
     for (auto k = to_size(cells.ring.first[i]); k < to_size(cells.ring.first[i + 1]); ++k) {
       diagonal += cells.weight[k];

@@ -16,7 +16,7 @@ struct ShapeIteration {
 
   Cells<S> cells;
   ElasticScale<S> elastic;
-  Discs discs;
+  Discs<S> discs;
   HardRows<S> system;
   CellSlices<S> slices;
   std::vector<Vec3<S>> targets;        // C
@@ -51,14 +51,14 @@ void ShapeIteration<S>::start() {
   RIGLESS_ASSERT(discs.size() > 0);
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
   for (std::size_t c = 0; c < targets.size(); ++c) {
-    from += nth(cells.rest, discs.center[c]);
+    from += discs.center[c];
     to += targets[c];
   }
   from /= static_cast<S>(targets.size());
   to /= static_cast<S>(targets.size());
   Mat3<S> C = Mat3<S>::Zero();
   for (std::size_t c = 0; c < targets.size(); ++c) {
-    C += (nth(cells.rest, discs.center[c]) - from) * (targets[c] - to).transpose();
+    C += (discs.center[c] - from) * (targets[c] - to).transpose();
   }
   const Mat3<S> R = nearest_rotation(C);
   for (std::size_t v = 0; v < cells.size(); ++v) {
@@ -166,7 +166,7 @@ void ShapeIteration<S>::turn_discs() {
 template <class S>
 void ShapeIteration<S>::hold() {
   for (std::size_t c = 0; c < discs.size(); ++c) {
-    const Vec3<S>& center = nth(cells.rest, discs.center[c]);
+    const Vec3<S>& center = discs.center[c];
     for (std::int32_t m = discs.first[c]; m < discs.first[c + 1]; ++m) {
       const auto v = to_size(nth(discs.member, m));
       const Vec3<S> p = targets[c] + disc_rotation[c] * (cells.rest[v] - center);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rigless/mesh/detail/extremities.h"
+#include "rigless/mesh/detail/limb.h"
 #include "rigless/mesh/detail/posture.h"
 
 namespace rigless::detail {
@@ -42,6 +43,7 @@ class BodyReader {
     add_hands();
     add(head_, BodyRole::head, true);
     add_trunk();
+    add_bends();
     add_rest();
     match_partners();
     for (BodyPoint<S>& p : points_) p.vertex = nth(graph_.vertex, p.vertex);
@@ -197,14 +199,14 @@ class BodyReader {
   // limbs and the head do to a trunk looks better than what a human's trunk does to a stranger's.
   void add_trunk() {
     if (legs_ >= 4) {
-      add(back_over(BodyRole::foot), BodyRole::hips, false);
-      add(back_over(BodyRole::foreleg), BodyRole::chest, false);
+      add(back_over(BodyRole::foot), BodyRole::hips, true);
+      add(back_over(BodyRole::foreleg), BodyRole::chest, true);
       return;
     }
     // The middle of all is above the belly, since arms and head count.
     const S belly = S(0.72) * place(center_).y();
-    add(front_at(belly), BodyRole::hips, false);
-    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, false);
+    add(front_at(belly), BodyRole::hips, true);
+    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, true);
   }
 
   std::int32_t front_at(S height) const {
@@ -220,6 +222,31 @@ class BodyReader {
     }
     if (!(count > S(0))) return -1;
     return best_middle([=](const Vec3<S>& p) { return p.y() - S(3) * std::abs(p.z() - z / count); });
+  }
+
+  // Elbows and knees of limbs that are long for how thick they are, on both sides; a stump looks better in one piece.
+  // They are offered only: a limb that follows its end alone bends like rubber, which is what one comes for.
+  void add_bends() {
+    const std::size_t ends = points_.size();
+    for (const BodyRole role : {BodyRole::hand, BodyRole::foot}) {
+      std::vector<std::int32_t> bends;
+      for (std::size_t n = 0; n < ends; ++n) {
+        const BodyPoint<S>& end = points_[n];
+        if (end.role != role || legs_ > 2) continue;
+        const detail::Limb<S> limb = detail::find_limb(graph_, end.vertex, S(0.7) * tall_);
+        if (limb.length > limb.girth && limb.length > S(0.2) * tall_) bends.push_back(nearest_node(limb.middle));
+      }
+      if (bends.size() != 2) continue;
+      for (const std::int32_t node : bends) add(node, role == BodyRole::hand ? BodyRole::elbow : BodyRole::knee, false);
+    }
+  }
+
+  std::int32_t nearest_node(const Vec3<S>& position) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < graph_.size(); ++i)
+      if ((graph_.position[i] - position).squaredNorm() < (graph_.position[nearest] - position).squaredNorm())
+        nearest = i;
+    return static_cast<std::int32_t>(nearest);
   }
 
   void add_rest() {

@@ -5,6 +5,30 @@
 
 namespace rigless::detail {
 
+// A posture, and how much speaks for it against the next best: about 1 where there is no doubt, 0 where there is none
+// better than another.
+template <class S>
+struct PostureGuess {
+  Posture<S> posture;
+  S sure = 0;
+};
+
+// What speaks for an axis being up before the body is looked at, and how much must speak for a body that looks
+// backwards.
+template <class S>
+S usual_up(FileAxes file, const Vec3<S>& up) {
+  const bool y = up.y() > S(0.5), z = up.z() > S(0.5);
+  if (file == FileAxes::y_up_by_rule) return y ? S(4) : S(0);
+  if (file == FileAxes::y_up) return y ? S(2) : z ? S(0.6) : S(0);
+  if (file == FileAxes::z_up) return z ? S(1.6) : y ? S(1) : S(0);
+  return y ? S(1) : z ? S(0.6) : S(0);
+}
+
+template <class S>
+S usual_front(FileAxes file) {
+  return file == FileAxes::y_up_by_rule ? S(0.15) : file == FileAxes::unknown ? S(0.01) : S(0.04);
+}
+
 // Axis k of 0 .. 5: +x, -x, +y, -y, +z, -z.
 template <class S>
 Vec3<S> signed_axis(int k) {
@@ -18,8 +42,8 @@ Vec3<S> mean_of(Span<const Vec3<S>> samples) {
   return mean;
 }
 
-// What speaks for an axis being up: files mostly say +y, some +z; the weight of a body is over what it stands on, which
-// is mostly two tips or four, and a narrow body is upright.
+// What speaks for an axis being up: the weight of a body is over what it stands on, which is mostly two tips or four,
+// and a narrow body is upright.
 template <class S>
 S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<S>& up) {
   const Bounds<S> box = bounds(samples);
@@ -40,7 +64,7 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<
     wide = std::max(wide, box.extent()[k]);
     deep = std::min(deep, box.extent()[k]);
   }
-  S score = up.y() > S(0.5) ? S(1) : up.z() > S(0.5) ? S(0.6) : S(0);
+  S score = 0;
   if ((off.array() <= room.array()).all()) score += standing >= 4 ? S(2.5) : standing >= 2 ? S(2) : S(1);
   score += tall > S(1.05) * wide ? S(0.7) : tall < S(0.95) * deep ? S(-0.5) : S(0);
   return score;
@@ -68,29 +92,37 @@ S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& fro
 }
 
 // The axes of a body from M samples of its surface, its tips and the plane that fits it best, which may fit badly: left
-// and right are across it. Where nothing speaks for another answer it is that of most files, +y up and +z front. No
-// allocation.
+// and right are across it. Where nothing speaks for another answer it is that of the file's kind, mostly +y up and +z
+// front. No allocation.
 template <class S>
-Posture<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const SymmetryPlane<S>& plane) {
-  Posture<S> posture;
-  if (samples.empty()) return posture;
+PostureGuess<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const SymmetryPlane<S>& plane,
+                              FileAxes file) {
+  PostureGuess<S> guess;
+  Posture<S>& posture = guess.posture;
+  if (samples.empty()) return guess;
   int across = -1;  // the file's axis from side to side
   if (plane.misfit < S(0.035)) plane.normal.cwiseAbs().maxCoeff(&across);
-  S best = -std::numeric_limits<S>::max();
+  S best = -std::numeric_limits<S>::max(), second = best;
   for (const int k : {2, 4, 5, 3, 0, 1}) {
-    if (k / 2 == across) continue;
     const Vec3<S> up = signed_axis<S>(k);
-    const S score = uprightness(samples, tips, up);
-    if (score <= best + S(0.01)) continue;
+    if (k / 2 == across && usual_up(file, up) < S(3)) continue;
+    const S score = usual_up(file, up) + uprightness(samples, tips, up);
+    if (score <= best + S(0.01)) {
+      second = std::max(second, score);
+      continue;
+    }
+    second = best;
     best = score;
     posture.up = up;
   }
-  if (across < 0) across = std::abs(posture.up.x()) > S(0.5) ? 1 : 0;
+  if (across < 0 || std::abs(posture.up[across]) > S(0.5)) across = std::abs(posture.up.x()) > S(0.5) ? 1 : 0;
   posture.front = posture.up.cross(Vec3<S>::Unit(across)).cwiseAbs();
   if (std::abs(posture.up.z()) > S(0.5)) posture.front = -posture.front;  // the front of a file whose z is up is -y
-  if (forwardness(samples, posture.up, posture.front) < S(-0.01)) posture.front = -posture.front;
+  const S forward = forwardness(samples, posture.up, posture.front) + usual_front<S>(file);
+  if (forward < S(0)) posture.front = -posture.front;
   posture.left = posture.up.cross(posture.front);
-  return posture;
+  guess.sure = std::min({S(1), best - second, S(10) * std::abs(forward)});
+  return guess;
 }
 
 }  // namespace rigless::detail

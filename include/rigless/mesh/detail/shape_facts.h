@@ -37,7 +37,11 @@ bool is_symmetric(const SymmetryPlane<S>& plane) {
   return plane.misfit < S(0.02);
 }
 
-enum class BodyRole : std::int32_t { tip, head, hand, foot, foreleg, tail, hips, chest };
+// How files of a kind hold what stands upright: glTF by specification y up and facing z, OBJ and OFF mostly so, STL
+// mostly z up and facing -y, PLY either way.
+enum class FileAxes : std::int32_t { unknown, y_up, z_up, y_up_by_rule };
+
+enum class BodyRole : std::int32_t { tip, head, hand, foot, foreleg, tail, hips, chest, elbow, knee };
 
 template <class S>
 struct BodyPoint {

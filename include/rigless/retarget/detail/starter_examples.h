@@ -19,13 +19,13 @@ namespace rigless::detail {
 // Appends starters to the examples of the user, at key poses of the clip. What the user showed counts more: starters
 // learn from it how the user differs from them, most from the poses that are most alike; the more examples there are,
 // the fewer starters.
-// clip: T x J, body-local metres; pairs: C joint indices or -1; users: how many of the examples the user made (the
-// others are their images); examples: N x J and N x C, to which starters are appended. Allocates. Errors: no_frames;
-// size_mismatch; index_out_of_range (where: control). On failure the examples are untouched.
+// clip: T x J, body-local metres; pairs: C joint indices or -1; figure: of the clip; users: how many of the examples
+// the user made (the others are their images); examples: N x J and N x C, to which starters are appended. Allocates.
+// Errors: no_frames; size_mismatch; index_out_of_range (where: control). On failure the examples are untouched.
 template <class S>
 Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-                    const StarterModel<S>& model, std::int32_t users, const StarterOptions<S>& options,
-                    ExampleStorage<S>& examples) {
+                    const StarterFigure<S>& figure, const StarterModel<S>& model, std::int32_t users,
+                    const StarterOptions<S>& options, ExampleStorage<S>& examples) {
   if (joint_count <= 0 || clip.empty()) return {Error::no_frames, -1};
   const auto joints = to_size(joint_count);
   const std::size_t controls = pairs.size(), known = controls > 0 ? examples.controls.size() / controls : 0;
@@ -39,7 +39,7 @@ Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<con
 
   const std::vector<std::int32_t> paired = paired_joints(pairs, joint_count);
   const auto spreads = joint_spreads(clip, joint_count);
-  const StarterPoses<S> poses(clip, joint_count, pairs, model, options);
+  const StarterPoses<S> poses(clip, joint_count, pairs, figure, model, options);
   std::int32_t left = options.count * (options.enough - users) / std::max(options.enough, 1);
   std::vector<Vec3<S>> places(controls), lesson(controls);
   std::vector<S> heard(controls);

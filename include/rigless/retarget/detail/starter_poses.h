@@ -9,19 +9,20 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/detail/starter_figure.h"
+#include "rigless/retarget/example.h"
 
 namespace rigless::detail {
 
 template <class S>
 struct StarterOptions {
-  std::int32_t count = 6;   // starters at most
+  std::int32_t count = 12;  // starters at most
   std::int32_t enough = 4;  // with that many examples by the user there are none, with fewer there are fewer
   // A starter this near to an example of the user is dropped, in spreads per joint: half the distance that two random
   // poses of the clip have.
   S nearest = S(0.7);
-  S bob = S(2);      // how much the trunk rises and falls with the human's pelvis
-  S lean = S(0.7);   // how much it leans with the human's
-  S most = S(0.07);  // how far it goes at most, in heights of the model
+  S lean = S(0.9);  // how much a trunk leans with the human's
+  S nod = S(1.3);   // how much a head turns with the human's, whose neck is all that is known
 };
 
 // The model as starters know it. C controls.
@@ -31,6 +32,7 @@ struct StarterModel {
   S floor = 0;                        // y of the lowest vertex at rest
   S height = 1;                       // of the mesh at rest
   Span<const std::uint8_t> stands{};  // T x C, not 0 while a control stands; or empty
+  Span<const ModelLimb<S>> limbs{};   // C, or empty
 };
 
 // The pose about which a clip moves: each joint's median, axis by axis. A person who stands and jumps once stands.
@@ -62,37 +64,41 @@ S figure_height(Span<const Vec3<S>> clip, std::int32_t joint_count) {
   return median.empty() ? S(0) : ends.second->y() - ends.first->y();
 }
 
-// What the system would have a model do in a pose, before anybody has shown it. A control is as far from its rest
-// position as its joint is from its median, scaled by the model's size: legs by their length, and less where its
-// neighbours are nearer than those of the joint. A control without a joint of its own belongs to the trunk, which bobs
-// with the pelvis and leans with the head.
+// What the system would have a model do in a pose, before anybody has shown it. A limb of the model points where the
+// human's does and is as far stretched, whatever pose the model rests in: an arm that rests level hangs when the human
+// lets his hang. It starts where the trunk carries its base. The trunk leans and turns with the human's about the hips,
+// which stay where they are; a leg goes with the human's from the straight one on which the model rests, so that a
+// stance stays as wide as it is.
 template <class S>
 class StarterPoses {
  public:
   // Keeps what it is given. Allocates.
   StarterPoses(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-               const StarterModel<S>& model, const StarterOptions<S>& options)
-      : clip_(clip),
-        joints_(to_size(joint_count)),
-        pairs_(pairs),
-        model_(model),
-        options_(options),
-        median_(median_pose(clip, joint_count)),
-        scale_(pairs.size()) {
-    const auto lower = [](const Vec3<S>& a, const Vec3<S>& b) { return a.y() < b.y(); };
-    head_ = to_size(std::max_element(median_.begin(), median_.end(), lower) - median_.begin());
-    const S human = figure_height(clip, joint_count);
-    size_ = human > S(1e-6) ? model.height / human : S(1);
-    legs_ = legs(human);
-    for (std::size_t c = 0; c < pairs.size(); ++c) scale_[c] = control_scale(c, human);
+               const StarterFigure<S>& figure, const StarterModel<S>& model, const StarterOptions<S>& options)
+      : clip_(clip), joints_(to_size(joint_count)), pairs_(pairs), figure_(figure), model_(model), options_(options) {
+    for (const std::int32_t joint : pairs) follows_.push_back(figure.limb(joint));
+    find_hips();
+    for (std::size_t c = 0; c < pairs.size(); ++c) limbs_.push_back(model_limb(c));
   }
 
   // Where control c is in a pose (J). No allocation.
   Vec3<S> place(const Vec3<S>* pose, std::size_t c) const {
     const Vec3<S>& rest = model_.rest[c];
-    if (!has_joint(c)) return trunk(pose, rest);
-    const auto j = to_size(pairs_[c]);
-    return rest + scale_[c] * (pose[j] - median_[j]);
+    const FollowedLimb<S>& limb = follows_[c];
+    const ModelLimb<S>& own = limbs_[c];
+    switch (limb.part) {
+      case FollowedPart::arm:
+        return carried(pose, own.base) + own.length * along(pose, c);
+      case FollowedPart::leg:
+        return rest + own.length * (along(pose, c) + Vec3<S>::UnitY());
+      case FollowedPart::head: {
+        const Eigen::Quaternion<S> nod = figure_.nod(pose), none = Eigen::Quaternion<S>::Identity();
+        return carried(pose, own.base + none.slerp(options_.nod, nod) * (rest - own.base));
+      }
+      case FollowedPart::trunk:
+        break;
+    }
+    return carried(pose, rest);
   }
 
   // The same in a frame of the clip: soles that stand are level, and no other is lower. places: C.
@@ -113,8 +119,6 @@ class StarterPoses {
   }
 
  private:
-  // The root joint is the origin of every pose.
-  bool has_joint(std::size_t c) const { return pairs_[c] > 0; }
   bool stands(std::size_t frame, std::size_t c) const {
     return !model_.stands.empty() && model_.stands[frame * pairs_.size() + c] != 0;
   }
@@ -124,61 +128,101 @@ class StarterPoses {
     return false;
   }
 
-  // Model's legs over the human's: what is below the lowest control that does not stand, within reason.
-  S legs(S human) const {
-    const S human_leg = -median_low();
-    S leg = model_.height;
-    for (std::size_t c = 0; c < pairs_.size(); ++c)
-      if (!is_foot(c)) leg = std::min(leg, model_.rest[c].y() - model_.floor);
-    leg = std::clamp(leg, S(0.2) * model_.height, S(0.55) * model_.height);
-    return human_leg > S(0.1) * human ? leg / human_leg : size_;
+  // From the base of the human's limb to the control's joint, in lengths of that limb.
+  Vec3<S> along(const Vec3<S>* pose, std::size_t c) const {
+    const FollowedLimb<S>& limb = follows_[c];
+    return (pose[pairs_[c]] - pose[limb.base]) / std::max(limb.reach, S(1e-6));
   }
 
-  S median_low() const {
-    S low = 0;
-    for (const Vec3<S>& p : median_) low = std::min(low, p.y());
-    return low;
-  }
-
-  // Legs as long as they are, all else as large as the model; less where its neighbours are nearer than the human's.
-  S control_scale(std::size_t c, S human) const {
-    const S scale = is_foot(c) ? legs_ : size_;
-    if (!has_joint(c)) return scale;
-    S nearest = scale;
-    for (std::size_t other = 0; other < pairs_.size(); ++other) {
-      if (!has_joint(other)) continue;
-      const Vec3<S> way = nth(median_, pairs_[other]) - nth(median_, pairs_[c]);
-      if (way.norm() > S(0.08) * human)
-        nearest = std::min(nearest, (model_.rest[other] - model_.rest[c]).norm() / way.norm());
+  // Where the hips are held, else what is below the lowest control that does not stand, within reason.
+  void find_hips() {
+    S high = model_.height, feet = 0;
+    hips_ = Vec3<S>::Zero();
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+      feet += follows_[c].part == FollowedPart::leg ? S(1) : S(0);
+      if (follows_[c].part != FollowedPart::leg && !is_foot(c))
+        high = std::min(high, model_.rest[c].y() - model_.floor);
     }
-    return std::max(nearest, scale / S(4));
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+      if (pairs_[c] != 0) continue;
+      hips_ = model_.rest[c];
+      high = hips_.y() - model_.floor;
+    }
+    hips_.y() = model_.floor + std::clamp(high, S(0.2) * model_.height, S(0.55) * model_.height);
+    on_all_fours_ = feet > S(2);
   }
 
-  Vec3<S> trunk(const Vec3<S>* pose, const Vec3<S>& rest) const {
-    S low = 0;
-    for (std::size_t j = 0; j < joints_; ++j) low = std::min(low, pose[j].y());
-    const auto lean = [&](int axis) {
-      const Vec3<S>&now = pose[head_], &usual = median_[head_];
-      return options_.lean * (std::atan2(now[axis], now.y()) - std::atan2(usual[axis], usual.y()));
-    };
-    // About the hips, where the human has them; what is below them only rises and falls in front and behind.
-    const S pitch = lean(2), roll = lean(0);
-    const S above = std::max(S(0), rest.y() - model_.floor + median_low() * size_);
-    const Vec3<S> move(roll * above, options_.bob * size_ * (median_low() - low) - pitch * rest.z() - roll * rest.x(),
-                       pitch * above);
-    const S most = options_.most * model_.height;
-    return rest + most / std::sqrt(most * most + move.squaredNorm()) * move;
+  // As the shape has it, else as a human of this height would. An elbow is on the way to its hand.
+  ModelLimb<S> model_limb(std::size_t c) const {
+    const std::size_t end = end_of_limb(c);
+    ModelLimb<S> limb = model_.limbs.empty() ? ModelLimb<S>() : model_.limbs[end];
+    const Vec3<S>&rest = model_.rest[c], &tip = model_.rest[end];
+    const bool known = limb.length > S(0);
+    const S height = model_.height;
+    switch (follows_[c].part) {
+      case FollowedPart::leg: {
+        // Seen from its tip a leg ends where it meets the other; it swings from the hips.
+        const S hips = std::max(hips_.y() - tip.y(), S(0.1) * height);
+        limb.length = std::clamp(known ? limb.base.y() - tip.y() : hips, S(0.75) * hips, hips);
+        break;
+      }
+      case FollowedPart::arm: {
+        if (!known) {
+          limb.base = {S(0.3) * tip.x(), hips_.y() + S(0.6) * (top() - hips_.y()), hips_.z()};
+          limb.length = (tip - limb.base).norm();
+        }
+        // It does not reach the ground.
+        limb.length = std::min(limb.length, std::max(S(0.85) * (limb.base.y() - model_.floor), S(0.1) * height));
+        break;
+      }
+      case FollowedPart::head:
+        limb.base = hips_ + S(0.6) * (rest - hips_);
+        break;
+      case FollowedPart::trunk:
+        break;
+    }
+    limb.length *= follows_[c].reach / std::max(follows_[end].reach, S(1e-6));
+    return limb;
+  }
+
+  // The control of the same limb that is farthest out on the human.
+  std::size_t end_of_limb(std::size_t c) const {
+    std::size_t end = c;
+    for (std::size_t other = 0; other < follows_.size(); ++other)
+      if (follows_[other].base == follows_[c].base && follows_[other].reach > follows_[end].reach) end = other;
+    return end;
+  }
+
+  S top() const {
+    for (std::size_t c = 0; c < pairs_.size(); ++c)
+      if (follows_[c].part == FollowedPart::head) return model_.rest[c].y();
+    return model_.floor + model_.height;
+  }
+
+  // Moved with the trunk, which bends between the hips and what is a quarter of the height away from them; what is
+  // below them stays. A trunk that lies level on four legs gives less.
+  Vec3<S> carried(const Vec3<S>* pose, const Vec3<S>& rest) const {
+    const TrunkPose<S> human = figure_.trunk(pose);
+    const Vec3<S> arm = rest - hips_;
+    const S height = model_.height;
+    const S share = std::min(S(1), arm.norm() / (S(0.25) * height)) *
+                    std::clamp(S(1) + arm.y() / (S(0.15) * height), S(0), S(1)) * options_.lean *
+                    (on_all_fours_ ? S(0.4) : S(1));
+    const S most = on_all_fours_ ? S(0.25) : S(1.2);
+    const auto held = [&](S angle) { return most * std::tanh(share * angle / most); };
+    return hips_ + trunk_rotation<S>({held(human.pitch), held(human.roll), held(human.twist)}) * arm;
   }
 
   Span<const Vec3<S>> clip_;  // T x J
   std::size_t joints_;
   Span<const std::int32_t> pairs_;  // C
+  const StarterFigure<S>& figure_;
   StarterModel<S> model_;
   StarterOptions<S> options_;
-  std::vector<Vec3<S>> median_;  // J
-  std::vector<S> scale_;         // C
-  std::size_t head_ = 0;
-  S size_ = 1, legs_ = 1;  // model over human
+  std::vector<FollowedLimb<S>> follows_;  // C
+  std::vector<ModelLimb<S>> limbs_;       // C
+  Vec3<S> hips_ = Vec3<S>::Zero();        // of the model at rest
+  bool on_all_fours_ = false;
 };
 
 }  // namespace rigless::detail

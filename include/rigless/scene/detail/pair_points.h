@@ -11,6 +11,8 @@
 #include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/joint_names.h"
 #include "rigless/motion/joint_roles.h"
+#include "rigless/retarget/example.h"
+#include "rigless/scene/body.h"
 #include "rigless/scene/staged_motion.h"
 
 namespace rigless::detail {
@@ -35,11 +37,14 @@ template <class S>
 std::int32_t joint_of_point(const JointRoles& roles, const BodyPoint<S>& point) {
   if (point.role == BodyRole::head) return roles.head;
   if (point.role == BodyRole::hips) return roles.root;
+  if (point.role == BodyRole::chest) return roles.chest;
   if (point.side == 0) return -1;
   const LimbRoles& near = point.side > 0 ? roles.left : roles.right;
   const LimbRoles& across = point.side > 0 ? roles.right : roles.left;
   if (point.role == BodyRole::hand) return near.hand;
+  if (point.role == BodyRole::elbow) return near.elbow;
   if (point.role == BodyRole::foot) return near.ankle;
+  if (point.role == BodyRole::knee) return near.knee;
   if (point.role == BodyRole::foreleg) return across.ankle;
   return -1;
 }
@@ -55,6 +60,7 @@ Status guess_points(const ShapeAnalysis<S>& shape, S height, const StagedMotion<
     Point out;
     out.vertex = point.vertex;
     out.radius = point.radius / height;
+    out.slab = point.role == BodyRole::hips || point.role == BodyRole::chest;
     points.push_back(out);
     joints.push_back(joint_of_point(motion.roles, point));
   }
@@ -93,6 +99,15 @@ Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& mot
     joints.push_back(joint);
   }
   return {};
+}
+
+// C: the limbs of a body's controls, as a performance takes them. Allocates.
+template <class S>
+std::vector<ModelLimb<double>> model_limbs(Body<S>& body) {
+  std::vector<ModelLimb<double>> limbs;
+  for (const Limb<S>& limb : body.limbs())
+    limbs.push_back({limb.base.template cast<double>(), static_cast<double>(limb.length)});
+  return limbs;
 }
 
 }  // namespace rigless::detail

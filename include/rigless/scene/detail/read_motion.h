@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 
 #include "rigless/motion/detail/motion_format.h"
 #include "rigless/motion/parse_acclaim.h"
@@ -11,18 +12,33 @@
 
 namespace rigless::detail {
 
-// A BVH file, or an AMC file on the skeleton of an ASF file. Allocates. Errors: those of parse_bvh() or
-// parse_acclaim(), and of stage_motion(). On failure `motion` keeps what it had.
-inline Status read_motion(std::string_view text, std::string_view skeleton, StagedMotion<double>& motion) {
-  Clip<double> clip;
+// A motion as it was read: what was worked around, what was guessed of the file, and what came of it.
+struct MotionRead {
   ParseNotes notes;
+  Standardised<double> file;
+  StagedMotion<double> staged;
+};
+
+// A motion in any format, and the skeleton beside it where its format has one (AMC: the ASF); else that is empty.
+// Allocates. Errors: those of the format's parser and of stage_motion(); `in_skeleton` then says whether the line is
+// the skeleton's. On failure `motion` keeps what it had.
+inline Status read_motion(std::string_view text, std::string_view skeleton, MotionRead& motion, bool& in_skeleton) {
+  Clip<double> clip;
+  MotionRead read;
+  in_skeleton = false;
   if (motion_format(text) == MotionFormat::amc) {
-    if (const Status status = parse_acclaim(skeleton, text, clip, &notes); !status.ok()) return status;
+    AcclaimSkeleton bones;
+    const Status status = parse_asf(skeleton, bones);
+    in_skeleton = !status.ok();
+    if (in_skeleton) return status;
+    if (const Status amc = parse_amc(text, bones, clip, &read.notes); !amc.ok()) return amc;
   } else {
-    if (const Status status = parse_bvh(text, clip, &notes); !status.ok()) return status;
+    if (const Status status = parse_bvh(text, clip, &read.notes); !status.ok()) return status;
   }
-  const JointRoles roles = standardise<double>(clip, notes.rest).roles;
-  return stage_motion(clip, roles, motion);
+  read.file = standardise<double>(clip, read.notes.rest);
+  if (const Status status = stage_motion(clip, read.file.roles, read.staged); !status.ok()) return status;
+  motion = std::move(read);
+  return {};
 }
 
 }  // namespace rigless::detail

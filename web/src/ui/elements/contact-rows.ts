@@ -1,7 +1,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { ContactRow } from "../../app/contacts";
-import type { Pin } from "../../app/pins";
+import { PIN_KINDS, type Pin } from "../../app/pins";
 import { movedRun } from "../../app/runs";
 import type { Grip, Run } from "../../app/runs";
 import { FLIGHTS } from "../../app/selection";
@@ -123,15 +123,14 @@ export class ContactRows extends SessionElement {
   private renderFlag(pin: Pin, last: number) {
     const { pins, player } = this.session;
     const on = pins.chosen === pin.id || pin.frame === player.frame;
-    const says = pin.kind === "still" ? "stands still" : "held here";
+    const { flag: says, sign } = PIN_KINDS[pin.kind];
     const chosen = pins.chosen === pin.id;
     return html`<button class="flag ${on ? "on" : ""}" style="--f:${(100 * Math.min(pin.frame, last)) / last}%" aria-pressed=${chosen}
       title="Pin at ${pin.frame}: ${says}" aria-label="Pin at frame ${pin.frame}: ${says}"
       @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => pins.choose(chosen ? null : pin.id)}
       @keydown=${(event: KeyboardEvent) => this.flagKey(event, pin)}>
-      <svg viewBox="0 0 20 22" aria-hidden="true"><path class="pole" d="M4 3v18"/><path class="cloth" d="M4 3h13l-3 4.5 3 4.5H4Z"/>${
-        pin.kind === "still" ? html`<svg><path class="sign" d="M7.5 7.5h4"/></svg>` : html`<svg><path class="sign" d="M9 7.5h.01"/></svg>`
-      }</svg></button>`;
+      <svg viewBox="0 0 20 22" aria-hidden="true"><path class="pole" d="M4 3v18"/><path class="cloth" d="M4 3h13l-3 4.5 3 4.5H4Z"/>
+        <path class="sign" d=${sign} /></svg></button>`;
   }
 
   private pick(row: ContactRow, on: boolean): void {

@@ -19,6 +19,7 @@ export class ModelPanel extends SessionElement {
     const { cast, opening, settings } = session;
     const { mesh } = session.document;
     const { report } = session.context.workspace;
+    const solid = mesh.solve === "solid";
     const character = cast.present?.character;
     return html`<section class="panel" aria-label="Model">
       <h2>Model <button class="btn line" @click=${() => opening.pick("model")}>Open</button></h2>
@@ -46,8 +47,12 @@ export class ModelPanel extends SessionElement {
         <label class="pair">Up axis <select .value=${mesh.up} @change=${this.setUp}>
           ${AXES.map((axis) => html`<option value=${axis} ?selected=${axis === mesh.up}>${axis.toUpperCase()}</option>`)}</select></label>
       </div>
+      <rigless-switch label="Carry it by a solid" effect=${solid ? "A solid inside moves it, whatever it is made of" : "Its own surface is solved"}
+        .on=${solid} @switch=${this.setSolid}></rigless-switch>
     </section>`;
   }
+
+  private readonly setSolid = (event: CustomEvent<boolean>): void => this.session.settings.setSolve(event.detail ? "solid" : "surface");
 
   private readonly setUp = (event: Event): void => this.session.settings.setUp((event.target as HTMLSelectElement).value as Axis);
 }

@@ -1,7 +1,7 @@
 import { css, html } from "lit";
 import type { TemplateResult } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Pin } from "../../app/pins";
+import { PIN_KINDS, type Pin } from "../../app/pins";
 import { actionButton, caps } from "../action-button";
 import { SessionElement } from "../element";
 import { base } from "../styles";
@@ -52,18 +52,15 @@ export class Prompt extends SessionElement {
   private renderPin(pin: Pin) {
     const { pins, document, actions } = this.session;
     const name = document.points.find(({ id }) => id === pin.point)?.name ?? "The point";
-    const still = pin.kind === "still";
+    const { is, means } = PIN_KINDS[pin.kind];
+    const others = (Object.keys(PIN_KINDS) as Pin["kind"][]).filter((kind) => kind !== pin.kind);
     return card(
       "Pin",
-      html`<h3>${name} ${still ? "stands still" : "is held"} at frame ${pin.frame}.</h3><p>${
-        still ? "It is where it was a frame before." : "It is just there, whatever the poses say."
-      }</p>`,
-      html`${
-        still && !pin.position
-          ? ""
-          : html`<button class="btn" ?disabled=${!pins.canStandStill(pin)} @click=${() => pins.setKind(pin, still ? "place" : "still")}
-            >${still ? "Hold it" : "Stand still"}</button>`
-      }
+      html`<h3>${name} ${is} at frame ${pin.frame}.</h3><p>${means}</p>`,
+      html`${others.map(
+        (kind) => html`<button class="btn" ?disabled=${!pins.canBe(pin, kind)} @click=${() => pins.setKind(pin, kind)}
+          >${PIN_KINDS[kind].make}</button>`,
+      )}
         <button class="btn" @click=${() => pins.remove(pin.id)}>Delete</button>
         <button class="btn line" @click=${() => pins.choose(null)}>Done ${caps(actions.escape)}</button>`,
     );

@@ -1,0 +1,65 @@
+// A model's picture, looked at before anybody decodes it: a few bytes can promise gigabytes of pixels.
+
+import type { Picture } from "../gltf/document";
+import { wordList } from "./format";
+import type { BuiltPicture } from "./gltf/build";
+import { baseName, findFile, type NamedFile } from "./named-file";
+import { PICTURES, pictureFormat } from "./picture";
+
+/** Pixels of one picture: 8,192 x 8,192. */
+const MOST_PIXELS = 2 ** 26;
+
+/** Its bytes are kept whatever they are; a note says why a picture is not drawn. `mime`: what its file says it is. */
+export function takePicture(name: string, bytes: Uint8Array, mime: string | undefined, notes: string[]): Picture {
+  const format = pictureFormat(bytes);
+  const [width, height] = pictureSize(bytes);
+  const words = wordList(
+    PICTURES.map((known) => known.words),
+    "or",
+  );
+  if (!format) notes.push(`${name} is not a ${words} picture; we show the model without it.`);
+  else if (width * height > MOST_PIXELS) {
+    notes.push(`${name} has ${width.toLocaleString("en-US")} x ${height.toLocaleString("en-US")} pixels, too many to be shown.`);
+  } else if (width * height === 0) notes.push(`${name} is a broken ${format.words} picture; we show the model without it.`);
+  const drawn = format !== undefined && width * height > 0 && width * height <= MOST_PIXELS;
+  return { bytes, mime: format?.mediaType ?? mime ?? "application/octet-stream", drawn };
+}
+
+/** The picture that a material names, as a texture shows it; a note where it is missing. */
+export function namedPicture(path: string, files: readonly NamedFile[], from: string, notes: string[]): BuiltPicture {
+  const name = baseName(path);
+  const file = findFile(files, path, from);
+  if (file) return { name, picture: takePicture(baseName(file.name), file.bytes, undefined, notes) };
+  notes.push(`This model names ${name}; drop it too.`);
+  return { name, picture: null };
+}
+
+/** Width and height of a PNG, JPEG, WebP or KTX2; zeros where they cannot be told. */
+function pictureSize(bytes: Uint8Array): [number, number] {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 30) return [0, 0];
+  if (bytes[0] === 0x89) return [view.getUint32(16), view.getUint32(20)];
+  if (bytes[0] === 0xab) return [view.getUint32(20, true), Math.max(1, view.getUint32(24, true))];
+  if (bytes[0] === 0x52) return webpSize(view);
+  // JPEG: segments until the one that begins a frame.
+  for (let at = 2; at + 9 < bytes.length; ) {
+    if (bytes[at] !== 0xff) return [0, 0];
+    const marker = bytes[at + 1];
+    if (marker === 0xff) at++;
+    else if (marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker))
+      return [view.getUint16(at + 7), view.getUint16(at + 5)];
+    else at += 2 + Math.max(2, view.getUint16(at + 2));
+  }
+  return [0, 0];
+}
+
+function webpSize(view: DataView): [number, number] {
+  const kind = view.getUint32(12);
+  const three = (at: number): number => 1 + (view.getUint16(at, true) | (view.getUint8(at + 2) << 16));
+  if (kind === 0x56503858) return [three(24), three(27)]; // VP8X
+  if (kind === 0x5650384c) {
+    const bits = view.getUint32(21, true); // VP8L
+    return [1 + (bits & 0x3fff), 1 + ((bits >>> 14) & 0x3fff)];
+  }
+  return [view.getUint16(26, true) & 0x3fff, view.getUint16(28, true) & 0x3fff];
+}
