@@ -220,6 +220,21 @@ TEST_CASE("what floats is bridged to what is nearest, softly") {
   }
 }
 
+TEST_CASE("boxes that all but touch hang on each other firmly") {
+  Model<double> m;
+  for (const double y : {0.0, 1.0, 2.0}) m.add(box<double>({0, y, 0}, {1, y + .98, 1}, 6));
+  const Solid<double> solid = solid_of(m);
+  check_solid(solid, m);
+  CHECK(bridges(solid) == 0);
+  std::size_t ties = 0;
+  for (std::int32_t i = 0; i < solid.nodes(); ++i) {
+    for (std::int32_t k = nth(solid.ring.first, i); k < nth(solid.ring.first, i + 1); ++k) {
+      ties += nth(solid.rest, i) == nth(solid.rest, nth(solid.ring.neighbor, k));
+    }
+  }
+  CHECK(ties > 100);
+}
+
 TEST_CASE("a ground stays out and still, a vertex of no face goes with what is near") {
   Model<double> m = mannequin(0.02);
   const std::size_t body = m.vertices.size();

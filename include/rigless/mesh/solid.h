@@ -43,10 +43,11 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   solid.inside = lattice.inside;
   solid.element_of = lattice.element_of;
   auto pairs = lattice.edges;
-  pairs.insert(pairs.end(), lattice.bridges.begin(), lattice.bridges.end());
+  for (const detail::Bridge& bridge : lattice.bridges) pairs.push_back({bridge.a, bridge.b});
   solid.ring = detail::one_ring_from_pairs(pairs, solid.nodes());
   solid.weight.assign(solid.ring.neighbor.size(), S(1));
-  for (const auto& [a, b] : lattice.bridges) {
+  for (const auto& [a, b, firm] : lattice.bridges) {
+    if (firm) continue;
     nth(solid.weight, solid.ring.slot(a, b)) = Solid<S>::bridge;
     nth(solid.weight, solid.ring.slot(b, a)) = Solid<S>::bridge;
   }

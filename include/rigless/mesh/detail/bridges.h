@@ -1,4 +1,5 @@
-// What floats is tied to what is nearest, softly: nothing else holds a hat that touches no head.
+// What floats is tied to what is nearest: firmly where it all but touches, as the boxes of a robot do, softly where
+// nothing is near, as a hat above a head.
 #pragma once
 
 #include <vector>
@@ -8,9 +9,15 @@
 
 namespace rigless::detail {
 
+struct Bridge {
+  std::int32_t a, b;
+  bool firm;
+};
+
 // Pairs of nodes that tie the parts of a graph (pairs) to its largest, nearest first, each to all that is tied already:
-// every pair of nodes within the least distance and `room` more. Of parts equally far the larger one comes first.
-// Allocates.
+// every pair of nodes within the least distance and `room` more. Of parts equally far the larger one comes first. Where
+// the least distance is within `room` too, those to the largest part of these are firm: a leg hangs on the trunk and
+// not on the other leg. Allocates.
 class BridgeBuilder {
  public:
   using Pairs = std::vector<std::array<std::int32_t, 2>>;
@@ -32,8 +39,8 @@ class BridgeBuilder {
 
   std::int32_t parts() const { return count_of(members_); }
 
-  RIGLESS_COLD Pairs build(double room) {
-    Pairs bridges;
+  RIGLESS_COLD std::vector<Bridge> build(double room) {
+    std::vector<Bridge> bridges;
     if (members_.size() < 2) return bridges;
     std::size_t largest = 0;
     for (std::size_t p = 1; p < members_.size(); ++p)
@@ -51,18 +58,30 @@ class BridgeBuilder {
         next = p;
         least = nearest_[i];
       }
-      const double reach = std::sqrt(least) + room;
-      for (const std::int32_t a : nth(members_, next)) {
-        for (const std::int32_t b : tied_) {
-          if ((nth(nodes_, a) - nth(nodes_, b)).squaredNorm() <= reach * reach) bridges.push_back({a, b});
-        }
-      }
+      bridge(next, std::sqrt(least), room, bridges);
       take(next);
     }
     return bridges;
   }
 
  private:
+  void bridge(std::int32_t next, double least, double room, std::vector<Bridge>& bridges) const {
+    const std::size_t first = bridges.size();
+    const double reach = least + room;
+    std::int32_t trunk = -1;
+    for (const std::int32_t a : nth(members_, next)) {
+      for (const std::int32_t b : tied_) {
+        if ((nth(nodes_, a) - nth(nodes_, b)).squaredNorm() > reach * reach) continue;
+        bridges.push_back({a, b, false});
+        const std::int32_t part = nth(part_, b);
+        if (trunk < 0 || nth(members_, part).size() > nth(members_, trunk).size()) trunk = part;
+      }
+    }
+    for (std::size_t k = first; k < bridges.size() && least < room; ++k) {
+      bridges[k].firm = nth(part_, bridges[k].b) == trunk;
+    }
+  }
+
   // Adds a part to what is tied; squared distances to that are kept, less than 0 for the tied themselves.
   void take(std::int32_t part) {
     for (const std::int32_t a : nth(members_, part)) {

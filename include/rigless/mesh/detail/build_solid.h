@@ -17,7 +17,8 @@ struct Lattice {
   std::vector<std::array<std::int32_t, 8>> element;
   std::vector<char> inside;  // E
   std::vector<std::int32_t> element_of;
-  std::vector<std::array<std::int32_t, 2>> edges, bridges;
+  std::vector<std::array<std::int32_t, 2>> edges;
+  std::vector<Bridge> bridges;
 };
 
 // With about that many nodes, not counting those that duplication adds. Allocates.
@@ -43,7 +44,6 @@ RIGLESS_COLD Lattice build_lattice(const Triangles<S>& triangles, const Sheets& 
     }
     out.inside.push_back(nth(voxels.kind, elements.voxel[e]) == Voxel::inside);
   }
-  out.bridges = BridgeBuilder(out.node, out.edges).build(0.75 * out.grid.cell);
   return out;
 }
 
@@ -63,6 +63,7 @@ RIGLESS_COLD Lattice build_lattice(Span<const Vec3<S>> vertices, Span<const Face
     if (ratio > 0.75 && ratio < 1.25) break;
     nodes /= ratio;
   }
+  out.bridges = BridgeBuilder(out.node, out.edges).build(0.75 * out.grid.cell);
   return out;
 }
 

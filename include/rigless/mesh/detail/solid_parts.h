@@ -19,7 +19,7 @@ struct Solid {
   OneRing ring;
   std::vector<S> weight;  // of directed edges, symmetric, above 0
 
-  static constexpr S bridge = S(0.02);  // weight of a bridge
+  static constexpr S bridge = S(0.02);  // weight of a bridge to what is not near
 
   std::int32_t nodes() const { return count_of(rest); }
   std::int32_t elements() const { return count_of(element); }
