@@ -14,8 +14,8 @@
 #include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/retarget.h"
-#include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/body.h"
+#include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless_wasm {
@@ -31,6 +31,7 @@ using CoreError = rigless::Error;
 using LengthUnit = rigless::LengthUnit;
 using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
+using FileAxes = rigless::FileAxes;
 using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
 using Solve = rigless::Solve;
@@ -185,6 +186,7 @@ struct Ask {
 struct Shape {
   Vector up;
   Vector front;
+  Number sure;  // of both, 0 to 1; below a half it is as well to ask
   Vector plane_point;
   Vector plane_normal;
   Number misfit;   // of the mirrored surface, in diagonals

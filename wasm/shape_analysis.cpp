@@ -18,17 +18,19 @@ rigless::ShapeAnalysis<float> analysis;
 
 }  // namespace
 
-// positions: V x 3 in any axes and units; faces: F x 3. What is found is shape() and shape_point().
+// positions: V x 3 in any axes and units; faces: F x 3; file: of FileAxes. What is found is shape() and shape_point().
 RIGLESS_EXPORT PackedStatus analyse_shape(const float* positions, std::int32_t vertices, const std::int32_t* faces,
-                                          std::int32_t face_count) {
+                                          std::int32_t face_count, std::int32_t file) {
   return pack(rigless::analyse_shape<float>(view<rigless::Vec3<float>>(positions, vertices),
-                                            view<rigless::Face>(faces, face_count), analysis));
+                                            view<rigless::Face>(faces, face_count), analysis, nullptr,
+                                            static_cast<rigless::FileAxes>(file)));
 }
 
 RIGLESS_EXPORT const Shape* shape() {
   return answer<Shape>({
       .up = analysis.posture.up,
       .front = analysis.posture.front,
+      .sure = analysis.sure,
       .plane_point = analysis.plane.point,
       .plane_normal = analysis.plane.normal,
       .misfit = analysis.plane.misfit,

@@ -243,3 +243,89 @@ TEST_CASE("arms are left and right, though of unequal height") {
   CHECK(count(u, BodyRole::hand, -1) == 1);
   CHECK(count(u, BodyRole::head, 0) == 1);
 }
+
+TEST_CASE("hands that are shells of their own are found, and two hooves side by side are two") {
+  std::vector<Block> parts = block_human;
+  BlockBody<float> body = build_blocks<float>(parts);
+  // each hand in small pieces, which touch
+  for (const float side : {1.f, -1.f}) {
+    for (int n = 0; n < 6; ++n) {
+      const BlockBody<float> piece = build_blocks<float>({{{0, 0, 0}, {1, 1, 1}}});
+      const auto first = static_cast<std::int32_t>(body.vertices.size());
+      for (const Vec3<float>& p : piece.vertices)
+        body.vertices.push_back(Vec3<float>(side * (16.2f + 1.1f * float(n)) - 0.5f, 28, 0) + p);
+      for (const Face& f : piece.faces) body.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+    }
+  }
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(body.vertices, body.faces, u).ok());
+  for (const BodyPoint<float>& p : u.points)
+    if (p.role == BodyRole::hand) CHECK(std::abs(body.vertices[static_cast<std::size_t>(p.vertex)].x()) > 20);
+
+  std::vector<Block> dog = block_dog;
+  for (Block& block : dog)
+    if (block.low[1] == 0)  // legs
+      for (std::array<int, 3>* corner : {&block.low, &block.high})
+        (*corner)[0] = (*corner)[0] > 0 ? (*corner)[0] - 1 : (*corner)[0] + 1;
+  const BlockBody<float> narrow = build_blocks<float>(dog);
+  REQUIRE(analyse_shape<float>(narrow.vertices, narrow.faces, u).ok());
+  for (const std::int32_t side : {1, -1}) {
+    CHECK(count(u, BodyRole::foreleg, side) == 1);
+    CHECK(count(u, BodyRole::foot, side) == 1);
+  }
+}
+
+TEST_CASE("what files of a kind say is believed, unless the shape says more") {
+  // A human that lies on its back: glTF would have stood it up.
+  const BlockBody<float> human = build_blocks<float>(block_human);
+  std::vector<Vec3<float>> lying;
+  for (const Vec3<float>& p : human.vertices) lying.push_back({p.x(), -p.z(), p.y()});
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(lying, human.faces, u, nullptr, FileAxes::unknown).ok());
+  CHECK(u.posture.up.z() == 1);
+  CHECK(u.sure > 0.4f);
+  REQUIRE(analyse_shape<float>(lying, human.faces, u, nullptr, FileAxes::z_up).ok());
+  CHECK(u.posture.up.z() == 1);
+  REQUIRE(analyse_shape<float>(lying, human.faces, u, nullptr, FileAxes::y_up_by_rule).ok());
+  CHECK(u.posture.up.y() == 1);
+
+  // A ball could be anything.
+  const BlockBody<float> block = build_blocks<float>({{{0, 0, 0}, {10, 10, 10}}});
+  REQUIRE(analyse_shape<float>(block.vertices, block.faces, u, nullptr, FileAxes::unknown).ok());
+  CHECK(u.sure < 0.5f);
+  REQUIRE(analyse_shape<float>(block.vertices, block.faces, u, nullptr, FileAxes::z_up).ok());
+  CHECK(u.posture.up.z() == 1);
+}
+
+TEST_CASE("a fish swims with its thick end first, though its tail fin is its highest part") {
+  const BlockBody<float> fish = build_blocks<float>({{{-6, 4, 4}, {6, 12, 24}},
+                                                     {{-1, 12, 6}, {1, 18, 12}},
+                                                     {{-2, 5, -6}, {2, 11, 4}},
+                                                     {{-1, 5, -16}, {1, 9, -6}},
+                                                     {{-1, 4, -20}, {1, 18, -14}}});
+  for (const float sign : {1.f, -1.f}) {
+    std::vector<Vec3<float>> turned;
+    for (const Vec3<float>& p : fish.vertices) turned.push_back({sign * p.x(), p.y(), sign * p.z()});
+    ShapeAnalysis<float> u;
+    REQUIRE(analyse_shape<float>(turned, fish.faces, u, nullptr, FileAxes::y_up).ok());
+    CHECK(u.posture.front.z() == sign);
+  }
+}
+
+TEST_CASE("a limb is as long as it is from its tip to the trunk") {
+  const BlockBody<double> body = build_blocks<double>(block_human);
+  ShapeAnalysis<double> u;
+  REQUIRE(analyse_shape<double>(body.vertices, body.faces, u).ok());
+  std::vector<std::int32_t> hands;
+  for (const BodyPoint<double>& p : u.points)
+    if (p.role == BodyRole::hand) hands.push_back(p.vertex);
+  REQUIRE(hands.size() == 2);
+  for (const detail::Limb<double>& limb : detail::find_limbs<double>(body.vertices, body.faces, hands, 40.0)) {
+    CHECK(std::abs(limb.base.x()) > 1);
+    CHECK(std::abs(limb.base.x()) < 8);
+    CHECK(limb.length > 8);
+    CHECK(limb.length < 17);
+    CHECK(std::abs(limb.middle.x()) > 6);
+    CHECK(std::abs(limb.middle.x()) < 14);
+  }
+}

@@ -35,7 +35,8 @@ Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, Shape
     const auto near = [&](const Vec3<S>& other) { return (other - tip).norm() < S(0.1) * diagonal; };
     if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
   }
-  found.plane = detail::SymmetryFinder<S>(samples).best(tips);
+  found.plane = detail::SymmetryFinder<S>(samples).best(
+      tips, file == FileAxes::y_up_by_rule ? Vec3<S>(Vec3<S>::UnitX()) : Vec3<S>(Vec3<S>::Zero()));
   if (posture != nullptr) {
     found.posture = *posture;
   } else {

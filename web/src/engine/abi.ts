@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1301545379;
+export const ABI = 1121392575;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -227,6 +227,8 @@ export const askRow: Row<Ask> = { doubles: 2, read: (n) => ({ frame: n[0], gain:
 export interface Shape {
   up: [number, number, number];
   front: [number, number, number];
+  /** Of both, 0 to 1; below a half it is as well to ask. */
+  sure: number;
   planePoint: [number, number, number];
   planeNormal: [number, number, number];
   /** Of the mirrored surface, in diagonals. */
@@ -237,15 +239,16 @@ export interface Shape {
 }
 
 export const shapeRow: Row<Shape> = {
-  doubles: 15,
+  doubles: 16,
   read: (n) => ({
     up: [n[0], n[1], n[2]],
     front: [n[3], n[4], n[5]],
-    planePoint: [n[6], n[7], n[8]],
-    planeNormal: [n[9], n[10], n[11]],
-    misfit: n[12],
-    symmetric: n[13] !== 0,
-    points: n[14],
+    sure: n[6],
+    planePoint: [n[7], n[8], n[9]],
+    planeNormal: [n[10], n[11], n[12]],
+    misfit: n[13],
+    symmetric: n[14] !== 0,
+    points: n[15],
   }),
 };
 
@@ -376,7 +379,13 @@ export interface ShapeAnalysisExports {
   abi(): number;
   alloc(bytes: number): Pointer;
   release(memory: Pointer): void;
-  analyse_shape(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number): PackedStatus;
+  analyse_shape(
+    positions: Pointer<Float32Array>,
+    vertices: number,
+    faces: Pointer<Integers>,
+    faceCount: number,
+    file: number,
+  ): PackedStatus;
   shape(): Pointer<Shape>;
   shape_point(index: number): Pointer<ShapePoint>;
   build_solid(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number): PackedStatus;

@@ -2,6 +2,7 @@
 
 import { shapePointRow, shapeRow } from "./abi";
 import type { ShapePoint } from "./abi";
+import { FILE_AXES_NAMES } from "../util/constants";
 import { Heap } from "./heap";
 import { engineError } from "./messages";
 import type { ShapeAnalysisInput } from "./protocol";
@@ -9,20 +10,21 @@ import { EngineError } from "./types";
 import type { AxisName, BodyPoint, ShapeAnalysis } from "./types";
 import { instantiateShapeAnalysis } from "./wasm";
 
-export function analyseShape({ mesh: { positions, faces }, wasm }: ShapeAnalysisInput): ShapeAnalysis {
+export function analyseShape({ mesh: { positions, faces, axes = "unknown" }, wasm }: ShapeAnalysisInput): ShapeAnalysis {
   if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
     throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
   }
   const module = instantiateShapeAnalysis(wasm);
   const heap = new Heap(module);
   const status = heap.lend([positions, faces], ([at, facesAt]) =>
-    module.analyse_shape(at, positions.length / 3, facesAt, faces.length / 3),
+    module.analyse_shape(at, positions.length / 3, facesAt, faces.length / 3, FILE_AXES_NAMES.indexOf(axes)),
   );
   if (status !== 0) throw engineError(status, { kind: "mesh" });
-  const { up, front, planePoint, planeNormal, misfit, symmetric, points } = heap.read(shapeRow, module.shape());
+  const { up, front, sure, planePoint, planeNormal, misfit, symmetric, points } = heap.read(shapeRow, module.shape());
   return {
     up: axisName(up),
     facing: axisName(front),
+    sure,
     symmetry: symmetric ? { point: planePoint, normal: planeNormal, misfit } : null,
     points: Array.from({ length: points }, (_, n) => bodyPoint(heap.read(shapePointRow, module.shape_point(n)))),
   };

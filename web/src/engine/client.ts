@@ -8,13 +8,13 @@ import type {
   Engine,
   Frame,
   BoundMeshInput,
-  MeshInput,
   MeshReport,
   Motion,
   MotionInput,
   Performance,
   RetargetInput,
   ShapeAnalysis,
+  ShapeInput,
 } from "./types";
 
 /** A Worker, or what stands for one in Node. */
@@ -60,7 +60,7 @@ export class EngineClient implements Engine {
     return this.#call("setMesh", { mesh, wasm }, options);
   }
 
-  async analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis> {
+  async analyseShape(mesh: ShapeInput, options?: CallOptions): Promise<ShapeAnalysis> {
     return this.#call("analyseShape", { mesh, wasm: await this.#shapeAnalysis() }, options);
   }
 

@@ -1,17 +1,17 @@
 // What crosses the port between the page and the engine's worker.
 
 import type {
+  BoundMeshInput,
   ControlInput,
   EngineErrorCode,
   Frame,
-  BoundMeshInput,
-  MeshInput,
   MeshReport,
   Motion,
   MotionInput,
   Performance,
   RetargetInput,
   ShapeAnalysis,
+  ShapeInput,
 } from "./types";
 
 export interface DragInput {
@@ -27,7 +27,7 @@ export interface SetMeshInput {
 }
 
 export interface ShapeAnalysisInput {
-  mesh: MeshInput;
+  mesh: ShapeInput;
   /** The bytes of shape-analysis.wasm. */
   wasm: ArrayBuffer;
 }

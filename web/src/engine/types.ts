@@ -2,7 +2,7 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, Solve } from "../util/constants";
+import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, FileAxes, Solve } from "../util/constants";
 import type { ConstraintInput, ControlInput as CoreControl } from "./abi";
 
 export { FPS } from "../util/constants";
@@ -71,11 +71,19 @@ export interface BodyPoint {
   wanted: boolean;
 }
 
+/** A mesh in its file's axes and units. */
+export interface ShapeInput extends MeshInput {
+  /** What files of its kind mostly hold upright; default "unknown". */
+  axes?: FileAxes;
+}
+
 /** What a bare mesh says of itself, in its own axes and units. A guess: it may be wrong, and is meant to be shown. */
 export interface ShapeAnalysis {
   up: AxisName;
   /** Which way it looks. */
   facing: AxisName;
+  /** How much speaks for both, 0..1: below a half it is as well to ask. */
+  sure: number;
   /** The plane in which it is its own mirror image, within 2 % of its diagonal; null: it is not. */
   symmetry: { point: [number, number, number]; normal: [number, number, number]; misfit: number } | null;
   /** At most 32, those that are wanted first. */
@@ -237,7 +245,7 @@ export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
   setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport>;
   /** Guesses how a mesh stands and where to hold it; binds nothing. Any axes and units. Rejects with bad_mesh. */
-  analyseShape(mesh: MeshInput, options?: CallOptions): Promise<ShapeAnalysis>;
+  analyseShape(mesh: ShapeInput, options?: CallOptions): Promise<ShapeAnalysis>;
   /** Binds controls on the present mesh (ordering, factorisation). */
   setControls(controls: ControlInput[], options?: CallOptions): Promise<void>;
   /** Reads a motion; on failure (bad_motion) the previous one stays. */

@@ -10,6 +10,8 @@ export interface SolverModel {
   readonly positions: Float32Array;
   /** F x 3. */
   readonly faces: Uint32Array;
+  /** Of its file, if it has one. */
+  readonly name?: string;
 }
 
 /** The transform between the model's file and the stage. */

@@ -51,6 +51,9 @@ export type UpAxis = (typeof UP_AXIS_NAMES)[number];
 export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest", "elbow", "knee"] as const;
 export type BodyRole = (typeof BODY_ROLE_NAMES)[number];
 
+export const FILE_AXES_NAMES = ["unknown", "y_up", "z_up", "y_up_by_rule"] as const;
+export type FileAxes = (typeof FILE_AXES_NAMES)[number];
+
 export const BODY_PART_NAMES = [
   "none",
   "hips",

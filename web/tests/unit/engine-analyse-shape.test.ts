@@ -28,8 +28,8 @@ const scanned = ({ positions, faces }: MeshInput): MeshInput => ({
 });
 
 describe.skipIf(!hasShared)("models that everybody knows (skipped where ../shared/data is absent)", () => {
-  const human = { head: 1, hand: 2, foot: 2 };
-  const beast = { head: 1, foreleg: 2, foot: 2 };
+  const human = { head: 1, hand: 2, foot: 2, hips: 1, chest: 1 };
+  const beast = { head: 1, foreleg: 2, foot: 2, hips: 1, chest: 1 };
   it.each([
     ["spot.obj", "-z", beast],
     ["cow.obj", "+x", beast],
@@ -54,10 +54,10 @@ describe.skipIf(!hasShared)("models that everybody knows (skipped where ../share
   });
 });
 
-it("holds a post by its top and both edges of its base", async () => {
+it("holds a post by its top, its trunk and both edges of its base", async () => {
   const u = await engine.analyseShape(post());
   expect(u).toMatchObject({ up: "+y", facing: "+z" });
-  expect(wanted(u)).toEqual({ head: 1, foot: 2 });
+  expect(wanted(u)).toEqual({ head: 1, foot: 2, hips: 1, chest: 1 });
   const foot = u.points.find((point) => point.role === "foot" && point.side === "left");
   expect(post().positions[3 * (foot?.vertex ?? 0)]).toBeGreaterThan(0.15);
 });

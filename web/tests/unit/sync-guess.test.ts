@@ -21,6 +21,7 @@ const point = (role: BodyPoint["role"], side: BodyPoint["side"], partner: number
 const SAID: ShapeAnalysis = {
   up: "+y",
   facing: "-x",
+  sure: 1,
   symmetry: { point: [0, 0, 0], normal: [0, 0, 1], misfit: 0.01 },
   points: [
     point("foot", "left", 1),

@@ -41,7 +41,7 @@ class BodyReader {
     head_ = find_head();
     add_feet();
     add_hands();
-    add(head_, BodyRole::head, true);
+    add(head_, BodyRole::head, true, 0);
     add_trunk();
     add_bends();
     add_rest();
@@ -66,27 +66,43 @@ class BodyReader {
     return std::abs(x) < middle_ ? 0 : x > S(0) ? 1 : -1;
   }
 
+  // Of two that belong together one is on each side, however near they are to the middle.
+  std::int32_t side_of(const Tip& tip) const {
+    return place(tip.node).x() > place(nth(tips_, tip.partner).node).x() ? 1 : -1;
+  }
+
   // Extremities that are no crumbs and not at the same place, and which of them are mirror images.
   void find_tips() {
     S area = 0;
     for (const S a : graph_.area) area += a;
     for (const Extremity<S>& e : extremities(graph_, average_, S(0.02) * tall_)) {
       if (nth(graph_.shell_area, e.node) < S(0.01) * area) continue;
-      const bool near =
-          std::any_of(tips_.begin(), tips_.end(), [&](const Tip& t) { return apart(t.node, e.node) < S(0.12); });
+      // Two hooves side by side are two; toes and heel of a foot are one.
+      const bool near = std::any_of(tips_.begin(), tips_.end(), [&](const Tip& t) {
+        const bool twins = place(t.node).x() * place(e.node).x() < S(0) &&
+                           (flipped(t.node) - place(e.node)).norm() < S(0.05) && apart(t.node, e.node) > S(0.03);
+        return !twins && (apart(t.node, e.node) < S(0.12) || same_foot(t.node, e.node));
+      });
       if (!near && tips_.size() < 24) tips_.push_back({e.node, -1, false});
     }
     for (std::size_t a = 0; a < tips_.size(); ++a) {
-      if (side(tips_[a].node) == 0 || tips_[a].partner >= 0) continue;
-      S nearest = S(0.2);
+      if (tips_[a].partner >= 0) continue;
+      S nearest = side(tips_[a].node) == 0 ? S(0.05) : S(0.2);
       for (std::size_t b = a + 1; b < tips_.size(); ++b) {
         const S off = (flipped(tips_[a].node) - place(tips_[b].node)).norm();
-        if (tips_[b].partner >= 0 || side(tips_[b].node) == side(tips_[a].node) || off >= nearest) continue;
+        const bool across = place(tips_[a].node).x() * place(tips_[b].node).x() < S(0);
+        if (tips_[b].partner >= 0 || !across || off >= nearest) continue;
         nearest = off;
         tips_[a].partner = static_cast<std::int32_t>(b);
       }
       if (tips_[a].partner >= 0) nth(tips_, tips_[a].partner).partner = static_cast<std::int32_t>(a);
     }
+  }
+
+  // Both on the ground, on one side, and no farther apart than a foot of a human is long for his height.
+  bool same_foot(std::int32_t a, std::int32_t b) const {
+    const Vec3<S>&p = place(a), &q = place(b);
+    return std::max(p.y(), q.y()) < S(0.12) && p.x() * q.x() > S(0) && (p - q).norm() < S(0.24);
   }
 
   Vec3<S> flipped(std::int32_t node) const { return {-place(node).x(), place(node).y(), place(node).z()}; }
@@ -140,15 +156,14 @@ class BodyReader {
   }
 
   // A head keeps its shape as a whole, faces being what one looks at.
-  void add(std::int32_t node, BodyRole role, bool wanted) {
+  void add(std::int32_t node, BodyRole role, bool wanted, std::int32_t side) {
     if (node < 0) return;
     for (const BodyPoint<S>& p : points_)
       if (apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
     const bool head = role == BodyRole::head;
-    const bool central = head || role == BodyRole::hips || role == BodyRole::chest;
     const S radius = head ? std::clamp(S(2) * thickness(node), S(0.08) * tall_, S(0.2) * tall_)
                           : std::clamp(thickness(node), S(0.04) * tall_, S(0.1) * tall_);
-    points_.push_back({node, role, central ? 0 : side(node), -1, radius, wanted});
+    points_.push_back({node, role, side, -1, radius, wanted});
   }
 
   // Tips on the ground, by pairs; those before the middle are forelegs. A body without any stands on the edges of its
@@ -166,14 +181,14 @@ class BodyReader {
     for (const std::size_t t : feet) {
       const bool fore = legs_ >= 4 && place(tips_[t].node).z() > middle / static_cast<S>(legs_);
       tips_[t].used = true;
-      add(tips_[t].node, fore ? BodyRole::foreleg : BodyRole::foot, true);
+      add(tips_[t].node, fore ? BodyRole::foreleg : BodyRole::foot, true, side_of(tips_[t]));
     }
     if (legs_ > 0) return;
     for (const S sign : {S(1), S(-1)})
       add(best_node([&](const Vec3<S>& p) {
             return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
           }),
-          BodyRole::foot, true);
+          BodyRole::foot, true, sign > S(0) ? 1 : -1);
   }
 
   // The most prominent pair that is no ears and no horns: those are nearer to the head than to the middle.
@@ -189,7 +204,7 @@ class BodyReader {
       if (!is_arm(tips_[t]) || !is_arm(other)) continue;
       for (Tip* hand : {&tips_[t], &other}) {
         hand->used = true;
-        add(hand->node, BodyRole::hand, true);
+        add(hand->node, BodyRole::hand, true, side_of(*hand));
       }
       return;
     }
@@ -199,14 +214,14 @@ class BodyReader {
   // limbs and the head do to a trunk looks better than what a human's trunk does to a stranger's.
   void add_trunk() {
     if (legs_ >= 4) {
-      add(back_over(BodyRole::foot), BodyRole::hips, true);
-      add(back_over(BodyRole::foreleg), BodyRole::chest, true);
+      add(back_over(BodyRole::foot), BodyRole::hips, true, 0);
+      add(back_over(BodyRole::foreleg), BodyRole::chest, true, 0);
       return;
     }
     // The middle of all is above the belly, since arms and head count.
     const S belly = S(0.72) * place(center_).y();
-    add(front_at(belly), BodyRole::hips, true);
-    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, true);
+    add(front_at(belly), BodyRole::hips, true, 0);
+    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, true, 0);
   }
 
   std::int32_t front_at(S height) const {
@@ -229,15 +244,17 @@ class BodyReader {
   void add_bends() {
     const std::size_t ends = points_.size();
     for (const BodyRole role : {BodyRole::hand, BodyRole::foot}) {
-      std::vector<std::int32_t> bends;
+      std::vector<std::pair<std::int32_t, std::int32_t>> bends;  // node, side
       for (std::size_t n = 0; n < ends; ++n) {
         const BodyPoint<S>& end = points_[n];
         if (end.role != role || legs_ > 2) continue;
-        const detail::Limb<S> limb = detail::find_limb(graph_, end.vertex, S(0.7) * tall_);
-        if (limb.length > limb.girth && limb.length > S(0.2) * tall_) bends.push_back(nearest_node(limb.middle));
+        const Limb<S> limb = find_limb(graph_, end.vertex, S(0.7) * tall_);
+        if (limb.length > limb.girth && limb.length > S(0.2) * tall_)
+          bends.push_back({nearest_node(limb.middle), end.side});
       }
       if (bends.size() != 2) continue;
-      for (const std::int32_t node : bends) add(node, role == BodyRole::hand ? BodyRole::elbow : BodyRole::knee, false);
+      for (const auto& [node, side] : bends)
+        add(node, role == BodyRole::hand ? BodyRole::elbow : BodyRole::knee, false, side);
     }
   }
 
@@ -253,7 +270,7 @@ class BodyReader {
     for (const Tip& t : tips_) {
       if (t.used) continue;
       const bool tail = side(t.node) == 0 && place(t.node).z() < place(center_).z() - S(0.15);
-      add(t.node, tail ? BodyRole::tail : BodyRole::tip, false);
+      add(t.node, tail ? BodyRole::tail : BodyRole::tip, false, side(t.node));
     }
   }
 

@@ -22,7 +22,7 @@ struct Limb {
 // Source: level sets of the distance from a tip as cross sections, Verroust and Lazarus 2000, Extracting skeletal
 // curves from 3D scattered data.
 template <class S>
-Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S most) {
+RIGLESS_COLD Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S most) {
   constexpr std::size_t steps = 24;
   const S step = most / S(steps);
   std::vector<Vec3<S>> middle(steps, Vec3<S>::Zero());
@@ -65,8 +65,8 @@ Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S most) {
 
 // The limb at whose tip each of some vertices of a mesh lies; height: of the body, in the mesh's units. Allocates.
 template <class S>
-std::vector<Limb<S>> find_limbs(Span<const Vec3<S>> vertices, Span<const Face> faces, Span<const std::int32_t> tips,
-                                S height) {
+RIGLESS_COLD std::vector<Limb<S>> find_limbs(Span<const Vec3<S>> vertices, Span<const Face> faces,
+                                             Span<const std::int32_t> tips, S height) {
   const SurfaceGraph<S> graph = surface_graph(vertices, faces);
   std::vector<Limb<S>> limbs;
   for (const std::int32_t tip : tips) {

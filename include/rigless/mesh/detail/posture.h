@@ -19,7 +19,7 @@ template <class S>
 S usual_up(FileAxes file, const Vec3<S>& up) {
   const bool y = up.y() > S(0.5), z = up.z() > S(0.5);
   if (file == FileAxes::y_up_by_rule) return y ? S(4) : S(0);
-  if (file == FileAxes::y_up) return y ? S(2) : z ? S(0.6) : S(0);
+  if (file == FileAxes::y_up) return y ? S(2.4) : z ? S(0.6) : S(0);
   if (file == FileAxes::z_up) return z ? S(1.6) : y ? S(1) : S(0);
   return y ? S(1) : z ? S(0.6) : S(0);
 }
@@ -70,7 +70,8 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<
   return score;
 }
 
-// Above 0 if the body looks along `front`: its toes are before its shins, its head before its middle.
+// Above 0 if the body looks along `front`: its toes are before its shins, its head before its middle. One that is long,
+// low and narrow swims, crawls or flies, and tapers from its head to its tail, whatever fin stands up there.
 template <class S>
 S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& front) {
   const Bounds<S> box = bounds(samples);
@@ -88,7 +89,21 @@ S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& fro
     }
   }
   const auto mean = [&](std::size_t k) { return count[k] > S(0) ? sum[k] / count[k] : sum[3] / count[3]; };
-  return (mean(0) - mean(1)) / tall + (mean(2) - mean(3)) / std::max(length, tall);
+  S score = (mean(0) - mean(1)) / tall + (mean(2) - mean(3)) / std::max(length, tall);
+  const Vec3<S> across = up.cross(front).cwiseAbs();
+  if (length > S(1.5) * tall && across.dot(box.extent()) < S(0.6) * length) {
+    const S middle = across.dot(box.low + box.high) / S(2), back = std::min(front.dot(box.low), front.dot(box.high));
+    std::array<S, 2> wide{}, many{};  // in the last quarter, in the first
+    for (const Vec3<S>& p : samples) {
+      const S f = (front.dot(p) - back) / length;
+      if (f > S(0.25) && f < S(0.75)) continue;
+      const std::size_t k = f > S(0.5) ? 1 : 0;
+      wide[k] += std::abs(across.dot(p) - middle);
+      many[k] += S(1);
+    }
+    if (many[0] > S(0) && many[1] > S(0)) score += S(2) * (wide[1] / many[1] - wide[0] / many[0]) / tall;
+  }
+  return score;
 }
 
 // The axes of a body from M samples of its surface, its tips and the plane that fits it best, which may fit badly: left

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "rigless/mesh/detail/geodesic.h"
+#include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/detail/shells.h"
 
 namespace rigless::detail {
@@ -15,7 +16,7 @@ struct SurfaceGraph {
   std::vector<std::int32_t> vertex;   // N, of the mesh
   std::vector<Vec3<S>> position;      // N
   std::vector<S> area;                // N, of the surface that a node stands for
-  std::vector<S> shell_area;          // N, of the whole shell that it is on
+  std::vector<S> shell_area;          // N, of the shell that it is on and all that touch
   std::vector<std::int32_t> node_of;  // V, -1 for vertices that no face uses
   OneRing ring;                       // over nodes
 
@@ -24,7 +25,7 @@ struct SurfaceGraph {
 
 // One thinning: nodes are taken in order and swallow the neighbours that nobody has; a third or a quarter remains.
 template <class S>
-SurfaceGraph<S> thin(const SurfaceGraph<S>& fine) {
+RIGLESS_COLD SurfaceGraph<S> thin(const SurfaceGraph<S>& fine) {
   SurfaceGraph<S> coarse;
   std::vector<std::int32_t> taker(fine.size(), -1);
   for (std::size_t i = 0; i < fine.size(); ++i) {
@@ -55,7 +56,8 @@ SurfaceGraph<S> thin(const SurfaceGraph<S>& fine) {
 // Thins V vertices under F faces, whose indices were checked, until at most `most` nodes are left or no more can be
 // joined. Vertices that no face uses are left out. Allocates.
 template <class S>
-SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> faces, std::size_t most = 4000) {
+RIGLESS_COLD SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> faces,
+                                           std::size_t most = 4000) {
   SurfaceGraph<S> graph;
   graph.node_of.assign(vertices.size(), -1);
   for (const Face& f : faces) {
@@ -81,11 +83,16 @@ SurfaceGraph<S> surface_graph(Span<const Vec3<S>> vertices, Span<const Face> fac
   }
   const auto count = count_of(graph);
   graph.ring = one_ring_from_pairs(pairs, count);
-  const Shells shells = find_shells(graph.ring);
+  const auto ties = tie_shells<S>(graph.position, graph.ring, 2);
+  // What touches belongs together, a hand to its arm; crumbs that float do not.
+  auto joined = pairs;
+  const S touch = S(0.01) * bounds<S>(graph.position).diagonal();
+  for (const auto& [a, b] : ties)
+    if ((nth(graph.position, a) - nth(graph.position, b)).norm() < touch) joined.push_back({a, b});
+  const Shells shells = find_shells(one_ring_from_pairs(joined, count));
   std::vector<S> shell_area(to_size(shells.count), S(0));
   for (std::size_t i = 0; i < graph.size(); ++i) nth(shell_area, shells.of_vertex[i]) += graph.area[i];
   for (const std::int32_t shell : shells.of_vertex) graph.shell_area.push_back(nth(shell_area, shell));
-  const auto ties = tie_shells<S>(graph.position, graph.ring, 2);
   if (!ties.empty()) {
     pairs.insert(pairs.end(), ties.begin(), ties.end());
     graph.ring = one_ring_from_pairs(pairs, count);

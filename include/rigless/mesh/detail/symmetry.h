@@ -56,8 +56,9 @@ class SymmetryFinder {
 
   // The plane that fits best among those of the axes and of the principal directions, turned and moved until it fits
   // no better. What is equally good goes to the axis that comes first, x, then z. Of two that fit well the one across
-  // which tips of the body lie in pairs is preferred: arms are left and right. No allocation.
-  SymmetryPlane<S> best(Span<const Vec3<S>> tips) const {
+  // which tips of the body lie in pairs is preferred: arms are left and right; and the one across `left`, where the
+  // file is known to have that on the body's left. No allocation.
+  SymmetryPlane<S> best(Span<const Vec3<S>> tips, const Vec3<S>& left = Vec3<S>::Zero()) const {
     SymmetryPlane<S> best;
     Mat3<S> spread = Mat3<S>::Zero();
     for (const Vec3<S>& p : samples_) spread += (p - center_) * (p - center_).transpose();
@@ -68,7 +69,8 @@ class SymmetryFinder {
       SymmetryPlane<S> candidate = measured(k < 3 ? middle() : center_, axis);
       if (candidate.misfit > S(0.035)) continue;
       candidate = refined(candidate);
-      const S cost = candidate.misfit - (pairs_tips(candidate, tips) ? S(0.01) : S(0));
+      const S cost = candidate.misfit - (pairs_tips(candidate, tips) ? S(0.01) : S(0)) -
+                     (std::abs(candidate.normal.dot(left)) > S(0.9) ? S(0.012) : S(0));
       if (cost >= least - S(0.002)) continue;
       least = cost;
       best = candidate;
