@@ -76,8 +76,9 @@ class Deformer {
   // Shape state and disc rotations back to rest. No allocation.
   void reset();
 
-  // Starts from nothing but the targets: rest, moved rigidly to fit them best, then bent by one solve until every
-  // control is met. Frames that start here depend on their targets alone. No allocation.
+  // Starts from nothing but the targets: rest, moved rigidly to fit them best (turned as the first control is that has
+  // an orientation of its own), then bent by one solve until every control is met. Frames that start here depend on
+  // their targets alone. No allocation.
   void start();
 
   // Starts the next step() from this surface (V) with unturned discs. No allocation.

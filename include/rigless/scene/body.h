@@ -9,6 +9,7 @@
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
 #include "rigless/scene/detail/drag.h"
+#include "rigless/scene/detail/trunk.h"
 
 namespace rigless {
 
@@ -53,6 +54,7 @@ class Body {
       controls_.push_back(nth(rest_, c.vertex));
       held_.push_back(c.vertex);
     }
+    if (solve_ == Solve::solid) trunk_.bind(controls, controls_);
     drag_.bind(deformer_);
     return {};
   }
@@ -64,6 +66,7 @@ class Body {
     for (std::size_t c = 0; c < targets.size(); ++c) {
       if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
+    if (solve_ == Solve::solid) trunk_.turn(deformer_, targets);
     drag_.move(deformer_, targets, volume, restart);
     take_shape();
     return {};
@@ -71,13 +74,17 @@ class Body {
 
   // The mesh for these C finite targets; depends on nothing but them. No allocation.
   void act(Span<const Vec3<S>> targets, S volume) {
+    if (solve_ == Solve::solid) trunk_.turn(deformer_, targets);
     detail::deform_from_rest(deformer_, targets, volume);
     take_shape();
   }
 
   // C: the limb at whose tip each control lies; found when it is first asked for. Allocates.
   Span<const detail::Limb<S>> limbs() {
-    if (limbs_.empty()) limbs_ = detail::find_limbs<S>(rest_, faces_, held_, detail::bounds<S>(rest_).height());
+    if (!limbs_.empty()) return limbs_;
+    const S height = detail::bounds<S>(rest_).height();
+    limbs_ = solve_ == Solve::solid ? detail::find_limbs<S>(solid_, held_, height)
+                                    : detail::find_limbs<S>(rest_, faces_, held_, height);
     return limbs_;
   }
 
@@ -170,6 +177,7 @@ class Body {
   Solve solve_ = Solve::surface;
   Deformer<S> deformer_;
   detail::Drag<S> drag_;
+  detail::Trunk<S> trunk_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
   std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest

@@ -60,7 +60,9 @@ void ShapeIteration<S>::start() {
   for (std::size_t c = 0; c < targets.size(); ++c) {
     C += (discs.center[c] - from) * (targets[c] - to).transpose();
   }
-  const Mat3<S> R = nearest_rotation(C);
+  const auto set = std::find(turned.begin(), turned.end(), char(1));
+  const Mat3<S> R =
+      set != turned.end() ? disc_rotation[static_cast<std::size_t>(set - turned.begin())] : nearest_rotation(C);
   for (std::size_t v = 0; v < cells.size(); ++v) {
     const Vec3<S> p = to + R * (cells.rest[v] - from);
     row(x, v) = Quad{p.x(), p.y(), p.z(), S(0)};

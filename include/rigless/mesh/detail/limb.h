@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "rigless/mesh/detail/solid_parts.h"
 #include "rigless/mesh/detail/surface_graph.h"
 
 namespace rigless::detail {
@@ -72,6 +73,21 @@ RIGLESS_COLD std::vector<Limb<S>> find_limbs(Span<const Vec3<S>> vertices, Span<
   for (const std::int32_t tip : tips) {
     const std::int32_t node = nth(graph.node_of, tip);
     limbs.push_back(node < 0 ? Limb<S>() : find_limb(graph, node, S(0.7) * height));
+  }
+  return limbs;
+}
+
+// The same over the nodes of the solid that was built from the mesh, whatever shells that is made of.
+template <class S>
+RIGLESS_COLD std::vector<Limb<S>> find_limbs(const Solid<S>& solid, Span<const std::int32_t> tips, S height) {
+  SurfaceGraph<S> graph;
+  graph.position = solid.rest;
+  graph.ring = solid.ring;
+  graph.area.assign(solid.rest.size(), solid.cell * solid.cell);
+  std::vector<Limb<S>> limbs;
+  for (const std::int32_t tip : tips) {
+    const std::int32_t element = nth(solid.element_of, tip);
+    limbs.push_back(element < 0 ? Limb<S>() : find_limb(graph, nth(solid.element, element)[0], S(0.7) * height));
   }
   return limbs;
 }

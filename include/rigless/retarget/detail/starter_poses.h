@@ -171,7 +171,8 @@ class StarterPoses {
           limb.base = {S(0.3) * tip.x(), hips_.y() + S(0.6) * (top() - hips_.y()), hips_.z()};
           limb.length = (tip - limb.base).norm();
         }
-        // It does not reach the ground.
+        // The way along it, seen in steps, is longer than it is; and it does not reach the ground.
+        limb.length = std::min(limb.length, S(1.1) * (tip - limb.base).norm());
         limb.length = std::min(limb.length, std::max(S(0.85) * (limb.base.y() - model_.floor), S(0.1) * height));
         break;
       }
