@@ -40,6 +40,13 @@ export async function makeScan({ name, field, box, step, target, size, shade, ra
   });
   const rgb = Uint8Array.from({ length: SHADES * 3 }, (_, i) => Math.round(ramp(Math.floor(i / 3) / (SHADES - 1))[i % 3]));
   const png = encodePng(SHADES, 1, rgb);
-  const glb = await encodePackedGlb({ name, ...mesh, uv: mesh.triangles.map((t) => t.map((v) => [u[v], 0.5])), png, roughness, flat: true });
+  const glb = await encodePackedGlb({
+    name,
+    ...mesh,
+    uv: mesh.triangles.map((t) => t.map((v) => [u[v], 0.5])),
+    png,
+    roughness,
+    flat: true,
+  });
   return { glb, png, ...mesh, report: reportMesh(mesh.vertices, mesh.triangles) };
 }
