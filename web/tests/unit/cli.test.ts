@@ -264,7 +264,7 @@ describe("what cannot be done", () => {
     const gltf = '{"asset":{"version":"2.0"},"buffers":[{"uri":"../far.bin","byteLength":4}]}';
     writeFileSync(join(inside, "bean.gltf"), gltf);
     writeFileSync(join(inside, "project.json"), project({ mesh: { file: "bean.gltf" } }));
-    expect((await bake()).stderr).toBe("rigless: bean.gltf needs far.bin; drop both together.\n");
+    expect((await bake()).stderr).toContain("rigless: bean.gltf needs far.bin; drop both together.\n");
   });
 
   it("needs a point, and frames that fit into a file", async () => {
