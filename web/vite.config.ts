@@ -1,4 +1,11 @@
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+
+const absent = fileURLToPath(new URL("src/viewport/absent.ts", import.meta.url));
+const ABSENT = [...readFileSync(absent, "utf8").matchAll(/(?:Absent|Idle) as (\w+)|export const (\w+)/g)].map(
+  ([, name, other]) => name ?? other,
+);
 
 export default defineConfig({
   base: "./",
@@ -14,4 +21,15 @@ export default defineConfig({
   worker: { format: "es" },
   server: { port: 5173, strictPort: true },
   preview: { port: 5173, strictPort: true },
+  plugins: [
+    {
+      name: "absent",
+      apply: "build",
+      transform(code, id) {
+        if (!id.endsWith("/loaders/GLTFLoader.js")) return null;
+        const without = ABSENT.reduce((text, name) => text.replace(new RegExp(`^\\t${name},?$`, "m"), ""), code);
+        return `import { ${ABSENT.join(", ")} } from ${JSON.stringify(absent)};\n${without}`;
+      },
+    },
+  ],
 });

@@ -1,5 +1,5 @@
 import { type ChildProcess, execFile, spawn } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -12,8 +12,8 @@ import { FORMATS } from "../../src/io/formats";
 import { saveProject } from "../../src/io/project-file";
 import { parseProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
-import { hasShared, sharedFile } from "../support/files";
-import { openGlb, valuesOf } from "../support/gltf";
+import { hasShared, PNG, sharedFile } from "../support/files";
+import { openGlb, triangle, valuesOf } from "../support/gltf";
 import { SNAKE } from "../support/joints";
 import { post } from "./engine-support";
 
@@ -234,6 +234,37 @@ describe("what cannot be done", () => {
     expect(await refused({ "project.json": project({ mesh: { file: "zero.obj" } }) })).toBe(
       "project.json names zero.obj: it is not a file.",
     );
+  });
+
+  it("takes nothing from outside the model's folder, but what has the same name in it", async () => {
+    const inside = join(folder, "inside");
+    mkdirSync(inside);
+    const { maker, primitive } = triangle();
+    primitive.attributes.TEXCOORD_0 = maker.floats([0, 0, 1, 0, 0, 1], "VEC2");
+    primitive.material = 0;
+    maker.json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+    maker.json.textures = [{ source: 0 }, { source: 1 }, { source: 2 }];
+    maker.json.images = [{ uri: "../secret.png" }, { uri: join(folder, "diary.png") }, { uri: "notes.txt" }];
+    writeFileSync(join(inside, "bean.glb"), maker.glb().bytes);
+    writeFileSync(join(inside, "hop.bvh"), hop);
+    writeFileSync(join(inside, "notes.txt"), "no picture");
+    writeFileSync(join(inside, "project.json"), project({ mesh: { file: "bean.glb" } }));
+    for (const name of ["secret.png", "diary.png"]) writeFileSync(join(folder, name), PNG);
+    const bake = () => rigless("bake", "inside/project.json", "--out", "dance.glb", "--anyway");
+    const alone = await bake();
+    expect(alone.stderr).toContain("note: This model names secret.png, diary.png; drop them too.\n");
+    expect(alone.stderr).toContain("note: notes.txt is not a PNG, JPEG or WebP picture; we show the model without it.\n");
+    expect((await openGlb(bytesOf("dance.glb"))).images).toEqual([null, null, null]);
+    writeFileSync(join(inside, "secret.png"), PNG);
+    await bake();
+    expect((await openGlb(bytesOf("dance.glb"))).images.map((image) => image?.bytes ?? null)).toEqual([PNG, null, null]);
+
+    // Neither does a buffer come from elsewhere: its numbers could be read off the dance.
+    writeFileSync(join(folder, "far.bin"), "0123456789");
+    const gltf = '{"asset":{"version":"2.0"},"buffers":[{"uri":"../far.bin","byteLength":4}]}';
+    writeFileSync(join(inside, "bean.gltf"), gltf);
+    writeFileSync(join(inside, "project.json"), project({ mesh: { file: "bean.gltf" } }));
+    expect((await bake()).stderr).toContain("rigless: bean.gltf needs far.bin; drop both together.\n");
   });
 
   it("needs a point, and frames that fit into a file", async () => {

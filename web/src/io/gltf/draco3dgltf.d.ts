@@ -2,7 +2,7 @@
 
 declare module "draco3dgltf/draco_decoder_gltf.wasm?inline" {
   const address: string;
-  export default address;
+  export { address as default };
 }
 
 declare module "draco3dgltf/draco_decoder_gltf_nodejs.js" {
@@ -36,5 +36,6 @@ declare module "draco3dgltf/draco_decoder_gltf_nodejs.js" {
     _free(pointer: number): void;
     destroy(held: Held): void;
   }
-  export default function createDecoder(options: { wasmBinary: Uint8Array }): Promise<Draco>;
+  const createDecoder: (options: { wasmBinary: Uint8Array }) => Promise<Draco>;
+  export { createDecoder as default };
 }
