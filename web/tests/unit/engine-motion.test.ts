@@ -76,7 +76,7 @@ describe.skipIf(!hasShared)("a motion file", () => {
   test("with a walk in it gives the golden contacts to the paired controls", async () => {
     const mesh = spot();
     const controls = spotControls(mesh);
-    await engine.setMesh(mesh);
+    await engine.setMesh({ ...mesh, solve: "solid" }); // its ears hang as arms do: more than its own surface can stand
     await engine.setControls(controls);
     const { joints } = await engine.setMotion(walk02());
     const pairs = Int32Array.from(spotJoints, (name) => joints.findIndex((joint) => joint.name === name));
