@@ -5,7 +5,7 @@
 set -u
 most=25
 # Types in public signatures that public headers include from below, and the index helpers of all of our code.
-named='math/detail/(index|macros)|mesh/detail/(one_ring|shape_facts|solid_parts)|deform/detail/(cells|discs|volume_law)'
+named='math/detail/(index|macros)|mesh/detail/(one_ring|shape_facts|solid_parts)|deform/detail/(cells|control|discs|volume_law)'
 named+='|motion/detail/(acclaim_skeleton|body_parts|parse_notes|role_set|units|up_axis)'
 
 wrong() {

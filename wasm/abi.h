@@ -8,7 +8,7 @@
 #include <new>
 #include <type_traits>
 
-#include "rigless/deform/control.h"
+#include "rigless/deform/detail/control.h"
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
 #include "rigless/mesh/shape_analysis.h"

@@ -2,7 +2,6 @@
 // lies in a detail folder may change at any time.
 #pragma once
 
-#include "rigless/deform/control.h"
 #include "rigless/deform/curve_control.h"
 #include "rigless/deform/deformer.h"
 #include "rigless/math/span.h"

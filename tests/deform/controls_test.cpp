@@ -32,7 +32,7 @@ TEST_CASE("a turned disc keeps its turn, a freed one turns with its surroundings
   REQUIRE(deformer.discs().owner[v] == 1);
   CHECK((deformer.shape()[v] - cylinder.vertices[center] - quarter * (cylinder.vertices[v] - cylinder.vertices[center]))
             .norm() < 1e-12);
-  CHECK(deformer.energy() > 1e-4);
+  CHECK(deformer.energy() < 1e-8);  // nothing keeps the rest from turning along
 
   deformer.free_turn(1);
   deformer.start();

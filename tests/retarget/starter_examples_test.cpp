@@ -68,11 +68,13 @@ const std::vector<std::int32_t> pairs = {head, left_foot, right_foot, -1};
 const std::vector<Vec3<double>> rest = {{0, 1.7, 0.4}, {0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.8, -0.6}};
 
 template <class S>
-rigless::ExampleStorage<S> started(const std::vector<Vec3<S>>& clip, const detail::StarterModel<S>& model,
+rigless::ExampleStorage<S> started(const std::vector<Vec3<S>>& clip, detail::StarterModel<S> model,
                                    rigless::ExampleStorage<S> examples = {},
                                    const std::vector<std::int32_t>& joints = pairs) {
   const auto users = static_cast<std::int32_t>(examples.controls.size() / joints.size());
   const detail::StarterFigure<S> figure(clip, skeleton, roles());
+  const std::vector<rigless::ModelLimb<S>> unknown(joints.size());  // a limb without a length is not known
+  if (model.limbs.empty()) model.limbs = unknown;
   REQUIRE(detail::add_starters<S>(clip, joint_count, joints, figure, model, users, {}, examples).ok());
   return examples;
 }

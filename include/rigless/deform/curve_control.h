@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "rigless/deform/control.h"
+#include "rigless/deform/detail/control.h"
 #include "rigless/deform/detail/discs.h"
 
 namespace rigless {

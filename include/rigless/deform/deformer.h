@@ -2,8 +2,8 @@
 // frame.
 #pragma once
 
-#include "rigless/deform/control.h"
 #include "rigless/deform/detail/build_cells.h"
+#include "rigless/deform/detail/control.h"
 #include "rigless/deform/detail/iterate.h"
 #include "rigless/deform/detail/volume_law.h"
 #include "rigless/math/detail/bytes.h"

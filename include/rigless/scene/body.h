@@ -79,12 +79,11 @@ class Body {
     take_shape();
   }
 
-  // C: the limb at whose tip each control lies; found when it is first asked for. Allocates.
+  // C: the limb of the solid at whose tip each control lies; none where the surface is solved. Found when they are
+  // first asked for. Allocates.
   Span<const detail::Limb<S>> limbs() {
-    if (!limbs_.empty()) return limbs_;
-    const S height = detail::bounds<S>(rest_).height();
-    limbs_ = solve_ == Solve::solid ? detail::find_limbs<S>(solid_, held_, height)
-                                    : detail::find_limbs<S>(rest_, faces_, held_, height);
+    if (limbs_.empty() && solve_ == Solve::solid)
+      limbs_ = detail::find_limbs<S>(solid_, held_, detail::bounds<S>(rest_).height());
     return limbs_;
   }
 

@@ -2,8 +2,8 @@
 // its surroundings. A single held vertex pulls a needle out of the surface; a disc pulls a body.
 #pragma once
 
-#include "rigless/deform/control.h"
 #include "rigless/deform/detail/cells.h"
+#include "rigless/deform/detail/control.h"
 #include "rigless/math/detail/rotation.h"
 #include "rigless/mesh/detail/geodesic.h"
 

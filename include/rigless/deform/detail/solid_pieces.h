@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "rigless/deform/control.h"
+#include "rigless/deform/detail/control.h"
 #include "rigless/deform/detail/discs.h"
 #include "rigless/mesh/solid.h"
 

@@ -64,20 +64,8 @@ RIGLESS_COLD Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S
   return limb;
 }
 
-// The limb at whose tip each of some vertices of a mesh lies; height: of the body, in the mesh's units. Allocates.
-template <class S>
-RIGLESS_COLD std::vector<Limb<S>> find_limbs(Span<const Vec3<S>> vertices, Span<const Face> faces,
-                                             Span<const std::int32_t> tips, S height) {
-  const SurfaceGraph<S> graph = surface_graph(vertices, faces);
-  std::vector<Limb<S>> limbs;
-  for (const std::int32_t tip : tips) {
-    const std::int32_t node = nth(graph.node_of, tip);
-    limbs.push_back(node < 0 ? Limb<S>() : find_limb(graph, node, S(0.7) * height));
-  }
-  return limbs;
-}
-
-// The same over the nodes of the solid that was built from the mesh, whatever shells that is made of.
+// The limb at whose tip each of some vertices of a mesh lies, over the nodes of the solid that was built from it,
+// whatever shells it is made of; height: of the body, in the mesh's units. Allocates.
 template <class S>
 RIGLESS_COLD std::vector<Limb<S>> find_limbs(const Solid<S>& solid, Span<const std::int32_t> tips, S height) {
   SurfaceGraph<S> graph;

@@ -10,59 +10,15 @@
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/detail/starter_figure.h"
-#include "rigless/retarget/example.h"
+#include "rigless/retarget/detail/starter_model.h"
 
 namespace rigless::detail {
 
 template <class S>
-struct StarterOptions {
-  std::int32_t count = 12;  // starters at most
-  std::int32_t enough = 4;  // with that many examples by the user there are none, with fewer there are fewer
-  // A starter this near to an example of the user is dropped, in spreads per joint: half the distance that two random
-  // poses of the clip have.
-  S nearest = S(0.7);
+struct LimbOptions {
   S lean = S(0.9);  // how much a trunk leans with the human's
   S nod = S(1.3);   // how much a head turns with the human's, whose neck is all that is known
 };
-
-// The model as starters know it. C controls.
-template <class S>
-struct StarterModel {
-  Span<const Vec3<S>> rest;           // C, mesh-local
-  S floor = 0;                        // y of the lowest vertex at rest
-  S height = 1;                       // of the mesh at rest
-  Span<const std::uint8_t> stands{};  // T x C, not 0 while a control stands; or empty
-  Span<const ModelLimb<S>> limbs{};   // C, or empty
-};
-
-// The pose about which a clip moves: each joint's median, axis by axis. A person who stands and jumps once stands.
-// clip: T x J; J positions. Allocates.
-template <class S>
-std::vector<Vec3<S>> median_pose(Span<const Vec3<S>> clip, std::int32_t joint_count) {
-  const auto joints = to_size(joint_count);
-  std::vector<Vec3<S>> pose(joints, Vec3<S>::Zero());
-  std::vector<S> values;
-  for (std::size_t j = 0; j < joints; ++j) {
-    for (int axis = 0; axis < 3; ++axis) {
-      values.clear();
-      for (std::size_t i = j; i < clip.size(); i += joints) values.push_back(clip[i][axis]);
-      if (values.empty()) continue;
-      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      pose[j][axis] = *middle;
-    }
-  }
-  return pose;
-}
-
-// How tall a clip's figure is in its median pose. clip: T x J. Allocates.
-template <class S>
-S figure_height(Span<const Vec3<S>> clip, std::int32_t joint_count) {
-  const std::vector<Vec3<S>> median = median_pose(clip, joint_count);
-  const auto lower = [](const Vec3<S>& a, const Vec3<S>& b) { return a.y() < b.y(); };
-  const auto ends = std::minmax_element(median.begin(), median.end(), lower);
-  return median.empty() ? S(0) : ends.second->y() - ends.first->y();
-}
 
 // What the system would have a model do in a pose, before anybody has shown it. A limb of the model points where the
 // human's does and is as far stretched, whatever pose the model rests in: an arm that rests level hangs when the human
@@ -74,7 +30,7 @@ class StarterPoses {
  public:
   // Keeps what it is given. Allocates.
   StarterPoses(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-               const StarterFigure<S>& figure, const StarterModel<S>& model, const StarterOptions<S>& options)
+               const StarterFigure<S>& figure, const StarterModel<S>& model, const LimbOptions<S>& options)
       : clip_(clip), joints_(to_size(joint_count)), pairs_(pairs), figure_(figure), model_(model), options_(options) {
     for (const std::int32_t joint : pairs) follows_.push_back(figure.limb(joint));
     find_hips();
@@ -219,7 +175,7 @@ class StarterPoses {
   Span<const std::int32_t> pairs_;  // C
   const StarterFigure<S>& figure_;
   StarterModel<S> model_;
-  StarterOptions<S> options_;
+  LimbOptions<S> options_;
   std::vector<FollowedLimb<S>> follows_;  // C
   std::vector<ModelLimb<S>> limbs_;       // C
   Vec3<S> hips_ = Vec3<S>::Zero();        // of the model at rest

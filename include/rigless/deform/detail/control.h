@@ -1,4 +1,4 @@
-// A control point: what a user holds a surface by.
+// A control point: what a user holds a body by. Public through Deformer and Body.
 #pragma once
 
 #include <cstdint>
