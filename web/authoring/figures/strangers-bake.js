@@ -41,7 +41,7 @@ export class Baker {
     mkdirSync(folder, { recursive: true });
     try {
       const result = await this.bakeAndDraw(path, folder, draw);
-      writeFileSync(kept, JSON.stringify(result));
+      if (!result.late) writeFileSync(kept, JSON.stringify(result));
       return result;
     } finally {
       rmSync(folder, { recursive: true, force: true });
@@ -54,7 +54,7 @@ export class Baker {
     let seconds = 0;
     for (const name of MOTIONS) {
       const baked = await this.bake(model, name, folder);
-      if (baked.code !== 0) return { refused: lastSentence(baked), seconds: baked.seconds };
+      if (baked.code !== 0) return { refused: lastSentence(baked), late: baked.code === null, seconds: baked.seconds };
       said = baked.said;
       seconds += baked.seconds / MOTIONS.length;
       const { points, controls } = JSON.parse(readFileSync(`${folder}${name}.json`, "utf8"));
