@@ -37,7 +37,7 @@ interface Measures {
   shells: number;
   /** Peak to peak, degrees, of each dance. */
   swing: number[];
-  /** Smallest and largest of all dances, rest is 1; null when the surface is open. */
+  /** Smallest and largest of all dances, rest is 1; null when the surface is open or holds nothing. */
   volume: [number, number] | null;
   stretch: number;
 }
@@ -200,19 +200,20 @@ function measured(dances: readonly PosedDance[], rest: Float32Array): Measures {
   const trunk = trunkOf(before);
   const { low, high } = boundsOf(rest);
   const whole = volumeOf(rest, faces);
+  const holds = closed && Math.abs(whole) > 1e-3 * [0, 1, 2].reduce((box, k) => box * (high[k] - low[k]), 1);
   const volumes: number[] = [];
   let stretch = 0;
   const swing = dances.map((dance) =>
     swingOf(
       dance.times.map((time) => {
         const places = dance.at(time);
-        if (closed) volumes.push(volumeOf(places, dance.faces) / whole);
+        if (holds) volumes.push(volumeOf(places, dance.faces) / whole);
         stretch = Math.max(stretch, stretchOf(rest, places, edges, high[1] - low[1]));
         return turnSince(before, samples.at(places), trunk);
       }),
     ),
   );
-  const volume: [number, number] | null = closed && whole !== 0 ? [Math.min(...volumes), Math.max(...volumes)] : null;
+  const volume: [number, number] | null = holds ? [Math.min(...volumes), Math.max(...volumes)] : null;
   return { triangles: faces.length / 3, shells, swing, volume, stretch };
 }
 
