@@ -16,7 +16,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
-import { boundsOf, Samples, stretchOf, swingOf, topologyOf, trunkOf, turnSince, volumeOf } from "./measures";
+import { type Bounds, boundsOf, Samples, stretchOf, swingOf, topologyOf, trunkOf, turnSince, volumeOf } from "./measures";
 import { PosedDance } from "./posed";
 import { loadRaw } from "./raw-model";
 
@@ -37,7 +37,7 @@ interface Measures {
   shells: number;
   /** Peak to peak, degrees, of each dance. */
   swing: number[];
-  /** Smallest and largest of all dances, rest is 1; null when the surface is open. */
+  /** Smallest and largest of all dances, rest is 1; null when the surface is open or holds nothing. */
   volume: [number, number] | null;
   stretch: number;
 }
@@ -169,7 +169,7 @@ window.drawStranger = async ({ dances: inputs, frames, cell }) => {
     const { times } = dance;
     for (let k = 0; k < frames; k++) moments.push({ dance, time: times[Math.floor(((k + 0.5) * times.length) / frames)] ?? 0 });
   }
-  const { low, high } = boundsOf(rest);
+  const { low, high } = bodyOf(rest);
   const { half, rise } = reachOf(moments, rest);
   const height = Math.ceil((cell * rise) / half);
   const { canvas, context } = clear(moments.length * cell, 2 * height);
@@ -200,35 +200,43 @@ function measured(dances: readonly PosedDance[], rest: Float32Array): Measures {
   const trunk = trunkOf(before);
   const { low, high } = boundsOf(rest);
   const whole = volumeOf(rest, faces);
+  const holds = closed && Math.abs(whole) > 1e-3 * [0, 1, 2].reduce((box, k) => box * (high[k] - low[k]), 1);
   const volumes: number[] = [];
   let stretch = 0;
   const swing = dances.map((dance) =>
     swingOf(
       dance.times.map((time) => {
         const places = dance.at(time);
-        if (closed) volumes.push(volumeOf(places, dance.faces) / whole);
+        if (holds) volumes.push(volumeOf(places, dance.faces) / whole);
         stretch = Math.max(stretch, stretchOf(rest, places, edges, high[1] - low[1]));
         return turnSince(before, samples.at(places), trunk);
       }),
     ),
   );
-  const volume: [number, number] | null = closed && whole !== 0 ? [Math.min(...volumes), Math.max(...volumes)] : null;
+  const volume: [number, number] | null = holds ? [Math.min(...volumes), Math.max(...volumes)] : null;
   return { triangles: faces.length / 3, shells, swing, volume, stretch };
 }
 
+/** The mean place of the body. */
 function centreOf(places: Float32Array): [number, number, number] {
+  const { low, high } = bodyOf(places);
   const sum: [number, number, number] = [0, 0, 0];
-  for (let i = 0; i < places.length; i++) sum[i % 3] += places[i];
-  return sum.map((x) => (3 * x) / places.length) as typeof sum;
+  let count = 0;
+  for (let i = 0; i < places.length; i += 3) {
+    if (low.some((x, k) => places[i + k] < x || places[i + k] > high[k])) continue;
+    for (let k = 0; k < 3; k++) sum[k] += places[i + k];
+    count++;
+  }
+  return sum.map((x) => x / count) as typeof sum;
 }
 
 /** Half the width and height that every moment fits; what flies far apart is cut off, or nothing else could be seen. */
 function reachOf(moments: readonly Moment[], rest: Float32Array): { half: number; rise: number } {
-  const own = boundsOf(rest);
+  const own = bodyOf(rest);
   const middle = (own.low[1] + own.high[1]) / 2;
   const reach = (places: Float32Array): [number, number] => {
     const [x, , z] = centreOf(places);
-    const { low, high } = boundsOf(places);
+    const { low, high } = bodyOf(places);
     return [Math.max(x - low[0], high[0] - x, z - low[2], high[2] - z), Math.max(middle - low[1], high[1] - middle)];
   };
   const still = reach(rest);
@@ -237,6 +245,18 @@ function reachOf(moments: readonly Moment[], rest: Float32Array): { half: number
   const [wide, rise] = [0, 1].map((k) => 1.08 * Math.min(Math.max(still[k], ...all.map((one) => one[k])), most));
   const half = Math.max(wide, rise);
   return { half, rise: Math.max(rise, 0.35 * half) };
+}
+
+/** Bounds without the crumbs, wide grounds and the like of at most 3 % of the vertices that would leave the body a dot. */
+function bodyOf(places: Float32Array): Bounds {
+  const all = boundsOf(places);
+  const axes = [0, 1, 2].map((k) => places.filter((_, i) => i % 3 === k).sort());
+  const at = (share: number): Bounds["low"] => axes.map((values) => values[Math.round(share * (values.length - 1))]) as Bounds["low"];
+  const inner = { low: at(0.03), high: at(0.97) };
+  const size = ({ low, high }: Bounds): number => Math.max(...high.map((x, k) => x - low[k]));
+  const margin = 0.15 * size(inner);
+  if (size(all) < 3 * size(inner)) return all;
+  return { low: inner.low.map((x) => x - margin) as Bounds["low"], high: inner.high.map((x) => x + margin) as Bounds["high"] };
 }
 
 /** Where each point is at rest: the vertex that is where the point is in the first frame. */
