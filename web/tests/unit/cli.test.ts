@@ -147,7 +147,8 @@ describe("rigless bake without a project", () => {
     expect(run).toMatchObject({ code: 0, stdout: "" });
     expect(run.stderr).toContain("note: post.obj is taken to stand with +y up and to look along +z; its sides are alike.\n");
     expect(run.stderr).toContain(
-      "note: guessed 5 points: Head follows Head, Left foot follows LeftFoot, Right foot follows RightFoot, Chest follows Spine2, Hips follows Hips.\n",
+      "note: guessed 5 points: Head follows Head, Left foot follows LeftFoot, Right foot follows RightFoot, " +
+        "Chest follows Spine2, Hips follows Hips.\n",
     );
     expect((await validateBytes(bytesOf("dance.glb"))).issues.numErrors).toBe(0);
     expect(trackOf("track.json").points.length).toBeGreaterThan(1);
