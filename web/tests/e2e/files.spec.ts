@@ -16,7 +16,7 @@ test("a model, a skeleton and a motion dropped together dance at once; other poi
   await expect.poll(async () => (await documentOf(page)).motion.files, { timeout: 60_000 }).toEqual(["02.asf", "02_01.amc"]);
   const opened = await documentOf(page);
   expect(opened.mesh.file).toBe("spot.obj");
-  await expect(page.getByText(/^Guessed 5 points/)).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByText(/^Guessed 7 points/)).toBeVisible({ timeout: 60_000 });
   const guessed = await documentOf(page);
   expect(guessed.mesh.facing).toBe("-z");
   expect(guessed.points.map((point) => point.joint)).toContain("head");
@@ -28,7 +28,7 @@ test("a model, a skeleton and a motion dropped together dance at once; other poi
   await page.getByRole("button", { name: "Points", exact: true }).click();
   await expect(page.getByRole("button", { name: "Add a point: Left tip" })).toBeVisible();
   await page.getByRole("button", { name: "+ Left tip" }).click();
-  expect((await documentOf(page)).points).toHaveLength(6);
+  expect((await documentOf(page)).points).toHaveLength(8);
   await expect(page.getByRole("button", { name: "Add a point: Left tip" })).toHaveCount(0);
   await page.keyboard.press("Control+z");
   expect((await documentOf(page)).points).toEqual(guessed.points);

@@ -28,9 +28,9 @@ struct StarterOptions {
 
 // The starters that `poses` would make of key poses, at most so many. Poses: StarterPoses or StarterOffsets.
 template <class S, class Poses>
-void append_starters(const Poses& poses, Span<const Vec3<S>> clip, std::int32_t joint_count,
-                     Span<const std::int32_t> pairs, std::int32_t most, std::int32_t users,
-                     const StarterOptions<S>& options, ExampleStorage<S>& examples) {
+RIGLESS_COLD void append_starters(const Poses& poses, Span<const Vec3<S>> clip, std::int32_t joint_count,
+                                  Span<const std::int32_t> pairs, std::int32_t most, std::int32_t users,
+                                  const StarterOptions<S>& options, ExampleStorage<S>& examples) {
   const auto joints = to_size(joint_count);
   const std::size_t controls = pairs.size(), known = examples.controls.size() / controls;
   const std::vector<std::int32_t> paired = paired_joints(pairs, joint_count);
@@ -70,9 +70,9 @@ void append_starters(const Poses& poses, Span<const Vec3<S>> clip, std::int32_t 
 // the user made (the others are their images); examples: N x J and N x C, to which starters are appended. Allocates.
 // Errors: no_frames; size_mismatch; index_out_of_range (where: control). On failure the examples are untouched.
 template <class S>
-Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-                    const StarterFigure<S>& figure, const StarterModel<S>& model, std::int32_t users,
-                    const StarterOptions<S>& options, ExampleStorage<S>& examples) {
+RIGLESS_COLD Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
+                                 const StarterFigure<S>& figure, const StarterModel<S>& model, std::int32_t users,
+                                 const StarterOptions<S>& options, ExampleStorage<S>& examples) {
   if (joint_count <= 0 || clip.empty()) return {Error::no_frames, -1};
   const auto joints = to_size(joint_count);
   const std::size_t controls = pairs.size(), known = controls > 0 ? examples.controls.size() / controls : 0;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/detail/rotation.h"
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/motion/joint_roles.h"
@@ -46,7 +47,7 @@ class StarterFigure {
   StarterFigure() = default;
 
   // clip: T x J, body-local. Allocates.
-  StarterFigure(Span<const Vec3<S>> clip, const Skeleton& skeleton, const JointRoles& roles)
+  RIGLESS_COLD StarterFigure(Span<const Vec3<S>> clip, const Skeleton& skeleton, const JointRoles& roles)
       : roles_(roles), joints_(skeleton.names.size()) {
     limbs_.resize(joints_);
     for (std::int32_t j = 0; j < count_of(skeleton.names); ++j) {
@@ -75,7 +76,7 @@ class StarterFigure {
   }
 
   // No allocation.
-  TrunkPose<S> trunk(const Vec3<S>* pose) const {
+  RIGLESS_COLD TrunkPose<S> trunk(const Vec3<S>* pose) const {
     TrunkPose<S> trunk;
     if (top_ > 0) {
       const Vec3<S>& top = pose[top_];
@@ -91,9 +92,9 @@ class StarterFigure {
   }
 
   // How the head is turned on the trunk, from how it mostly is. No allocation.
-  Eigen::Quaternion<S> nod(const Vec3<S>* pose) const {
+  RIGLESS_COLD Eigen::Quaternion<S> nod(const Vec3<S>* pose) const {
     if (roles_.head < 0 || top_ < 0 || top_ == roles_.head) return Eigen::Quaternion<S>::Identity();
-    return Eigen::Quaternion<S>::FromTwoVectors(usual_nape_, nape(pose).normalized());
+    return Eigen::Quaternion<S>(shortest_arc<S>(usual_nape_, nape(pose).normalized()));
   }
 
  private:

@@ -26,7 +26,7 @@ struct StarterModel {
 // The pose about which a clip moves: each joint's median, axis by axis. A person who stands and jumps once stands.
 // clip: T x J; J positions. Allocates.
 template <class S>
-std::vector<Vec3<S>> median_pose(Span<const Vec3<S>> clip, std::int32_t joint_count) {
+RIGLESS_COLD std::vector<Vec3<S>> median_pose(Span<const Vec3<S>> clip, std::int32_t joint_count) {
   const auto joints = to_size(joint_count);
   std::vector<Vec3<S>> pose(joints, Vec3<S>::Zero());
   std::vector<S> values;

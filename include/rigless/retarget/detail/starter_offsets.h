@@ -21,8 +21,8 @@ template <class S>
 class StarterOffsets {
  public:
   // Keeps what it is given. Allocates.
-  StarterOffsets(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-                 const StarterModel<S>& model, const OffsetOptions<S>& options)
+  RIGLESS_COLD StarterOffsets(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
+                              const StarterModel<S>& model, const OffsetOptions<S>& options)
       : clip_(clip),
         joints_(to_size(joint_count)),
         pairs_(pairs),
@@ -39,7 +39,7 @@ class StarterOffsets {
   }
 
   // Where control c is in a pose (J). No allocation.
-  Vec3<S> place(const Vec3<S>* pose, std::size_t c) const {
+  RIGLESS_COLD Vec3<S> place(const Vec3<S>* pose, std::size_t c) const {
     const Vec3<S>& rest = model_.rest[c];
     if (!has_joint(c)) return trunk(pose, rest);
     const auto j = to_size(pairs_[c]);
@@ -47,7 +47,7 @@ class StarterOffsets {
   }
 
   // The same in a frame of the clip: soles that stand are level, and no other is lower. places: C.
-  void place_all(std::size_t frame, Span<Vec3<S>> places) const {
+  RIGLESS_COLD void place_all(std::size_t frame, Span<Vec3<S>> places) const {
     const std::size_t controls = pairs_.size();
     S sum = 0, count = 0;
     for (std::size_t c = 0; c < controls; ++c) {
@@ -92,7 +92,7 @@ class StarterOffsets {
   }
 
   // Legs as long as they are, all else as large as the model; less where its neighbours are nearer than the human's.
-  S control_scale(std::size_t c, S human) const {
+  RIGLESS_COLD S control_scale(std::size_t c, S human) const {
     const S scale = is_foot(c) ? legs_ : size_;
     if (!has_joint(c)) return scale;
     S nearest = scale;
@@ -105,7 +105,7 @@ class StarterOffsets {
     return std::max(nearest, scale / S(4));
   }
 
-  Vec3<S> trunk(const Vec3<S>* pose, const Vec3<S>& rest) const {
+  RIGLESS_COLD Vec3<S> trunk(const Vec3<S>* pose, const Vec3<S>& rest) const {
     S low = 0;
     for (std::size_t j = 0; j < joints_; ++j) low = std::min(low, pose[j].y());
     const auto lean = [&](int axis) {

@@ -29,8 +29,8 @@ template <class S>
 class StarterPoses {
  public:
   // Keeps what it is given. Allocates.
-  StarterPoses(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-               const StarterFigure<S>& figure, const StarterModel<S>& model, const LimbOptions<S>& options)
+  RIGLESS_COLD StarterPoses(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
+                            const StarterFigure<S>& figure, const StarterModel<S>& model, const LimbOptions<S>& options)
       : clip_(clip), joints_(to_size(joint_count)), pairs_(pairs), figure_(figure), model_(model), options_(options) {
     for (const std::int32_t joint : pairs) follows_.push_back(figure.limb(joint));
     find_hips();
@@ -38,7 +38,7 @@ class StarterPoses {
   }
 
   // Where control c is in a pose (J). No allocation.
-  Vec3<S> place(const Vec3<S>* pose, std::size_t c) const {
+  RIGLESS_COLD Vec3<S> place(const Vec3<S>* pose, std::size_t c) const {
     const Vec3<S>& rest = model_.rest[c];
     const FollowedLimb<S>& limb = follows_[c];
     const ModelLimb<S>& own = limbs_[c];
@@ -58,7 +58,7 @@ class StarterPoses {
   }
 
   // The same in a frame of the clip: soles that stand are level, and no other is lower. places: C.
-  void place_all(std::size_t frame, Span<Vec3<S>> places) const {
+  RIGLESS_COLD void place_all(std::size_t frame, Span<Vec3<S>> places) const {
     const std::size_t controls = pairs_.size();
     S sum = 0, count = 0;
     for (std::size_t c = 0; c < controls; ++c) {
@@ -91,7 +91,7 @@ class StarterPoses {
   }
 
   // Where the hips are held, else what is below the lowest control that does not stand, within reason.
-  void find_hips() {
+  RIGLESS_COLD void find_hips() {
     S high = model_.height, feet = 0;
     hips_ = Vec3<S>::Zero();
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
@@ -109,7 +109,7 @@ class StarterPoses {
   }
 
   // As the shape has it, else as a human of this height would. An elbow is on the way to its hand.
-  ModelLimb<S> model_limb(std::size_t c) const {
+  RIGLESS_COLD ModelLimb<S> model_limb(std::size_t c) const {
     const std::size_t end = end_of_limb(c);
     ModelLimb<S> limb = model_.limbs.empty() ? ModelLimb<S>() : model_.limbs[end];
     const Vec3<S>&rest = model_.rest[c], &tip = model_.rest[end];
@@ -158,7 +158,7 @@ class StarterPoses {
 
   // Moved with the trunk, which bends between the hips and what is a quarter of the height away from them; what is
   // below them stays. A trunk that lies level on four legs gives less.
-  Vec3<S> carried(const Vec3<S>* pose, const Vec3<S>& rest) const {
+  RIGLESS_COLD Vec3<S> carried(const Vec3<S>* pose, const Vec3<S>& rest) const {
     const TrunkPose<S> human = figure_.trunk(pose);
     const Vec3<S> arm = rest - hips_;
     const S height = model_.height;

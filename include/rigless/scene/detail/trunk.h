@@ -1,10 +1,10 @@
 // A trunk does not spin: what slabs of it hold turns with the way from one to the other, and about that way not at all.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
 #include "rigless/deform/deformer.h"
+#include "rigless/math/detail/rotation.h"
 
 namespace rigless::detail {
 
@@ -16,13 +16,13 @@ class Trunk {
     slabs_.clear();
     for (std::size_t c = 0; c < controls.size(); ++c)
       if (controls[c].slab) slabs_.push_back(static_cast<std::int32_t>(c));
-    along_ = slabs_.size() > 1 ? way(rest) : Vec3<S>(Vec3<S>::UnitY());
+    along_ = slabs_.size() > 1 ? Vec3<S>(way(rest).normalized()) : Vec3<S>(Vec3<S>::UnitY());
   }
 
   // Before the deformer goes to C finite targets. A trunk of one slab stays as it rests. No allocation.
   void turn(Deformer<S>& deformer, Span<const Vec3<S>> targets) const {
     Mat3<S> R = Mat3<S>::Identity();
-    if (slabs_.size() > 1) R = Eigen::Quaternion<S>::FromTwoVectors(along_, way(targets)).toRotationMatrix();
+    if (slabs_.size() > 1) R = shortest_arc<S>(along_, way(targets).normalized());
     for (const std::int32_t c : slabs_) deformer.turn(c, R);
   }
 
