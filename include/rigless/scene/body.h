@@ -40,7 +40,7 @@ class Body {
     held_.clear();
     limbs_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
-    volume_ = solve_ == Solve::solid ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
+    volume_ = is_solid() ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
     return {};
   }
 
@@ -54,7 +54,7 @@ class Body {
       controls_.push_back(nth(rest_, c.vertex));
       held_.push_back(c.vertex);
     }
-    if (solve_ == Solve::solid) trunk_.bind(controls, controls_);
+    if (is_solid()) trunk_.bind(controls, controls_);
     drag_.bind(deformer_);
     return {};
   }
@@ -66,7 +66,7 @@ class Body {
     for (std::size_t c = 0; c < targets.size(); ++c) {
       if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
-    if (solve_ == Solve::solid) trunk_.turn(deformer_, targets);
+    if (is_solid()) trunk_.turn(deformer_, targets);
     drag_.move(deformer_, targets, volume, restart);
     take_shape();
     return {};
@@ -74,7 +74,7 @@ class Body {
 
   // The mesh for these C finite targets; depends on nothing but them. No allocation.
   void act(Span<const Vec3<S>> targets, S volume) {
-    if (solve_ == Solve::solid) trunk_.turn(deformer_, targets);
+    if (is_solid()) trunk_.turn(deformer_, targets);
     detail::deform_from_rest(deformer_, targets, volume);
     take_shape();
   }
@@ -82,26 +82,22 @@ class Body {
   // C: the limb of the solid at whose tip each control lies; none where the surface is solved. Found when they are
   // first asked for. Allocates.
   Span<const detail::Limb<S>> limbs() {
-    if (limbs_.empty() && solve_ == Solve::solid)
-      limbs_ = detail::find_limbs<S>(solid_, held_, detail::bounds<S>(rest_).height());
+    if (limbs_.empty() && is_solid()) limbs_ = detail::find_limbs<S>(solid_, held_, detail::bounds<S>(rest_).height());
     return limbs_;
   }
 
   // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
   Span<const Vec3<S>> positions() {
-    if (solve_ == Solve::surface) return deformer_.positions();
+    if (!is_solid()) return deformer_.positions();
     if (!carried_is_new_) carry_points<S>(solid_, rest_, transforms_, carried_);
     carried_is_new_ = true;
     return carried_;
   }
 
-  // N, with which the nodes of a solid carry its mesh, as the last drag() or act() left them.
-  Span<const NodeTransform<S>> transforms() const { return transforms_; }
-
   // y of the lowest vertex, as the last drag() or act() left them. No allocation.
   S lowest() const {
     S lowest = std::numeric_limits<S>::max();
-    if (solve_ == Solve::solid) {
+    if (is_solid()) {
       for (const std::int32_t v : outermost_)
         lowest = std::min(
             lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v), transforms_.data()).y());
@@ -113,17 +109,14 @@ class Body {
 
   // Volume now over that at rest; NaN where an open surface has none. No allocation.
   S volume_ratio() const {
-    if (solve_ == Solve::solid) return rigless::volume<S>(solid_, deformer_.positions()) / volume_;
+    if (is_solid()) return rigless::volume<S>(solid_, deformer_.positions()) / volume_;
     if (!closed()) return std::numeric_limits<S>::quiet_NaN();
     return detail::signed_volume<S>(deformer_.positions(), faces_) / volume_;
   }
 
   // Cubic units; NaN where an open surface has none.
-  S volume() const {
-    return solve_ == Solve::solid || closed() ? std::abs(volume_) : std::numeric_limits<S>::quiet_NaN();
-  }
+  S volume() const { return is_solid() || closed() ? std::abs(volume_) : std::numeric_limits<S>::quiet_NaN(); }
 
-  Solve solve() const { return solve_; }
   const Solid<S>& solid() const { return solid_; }  // empty when the surface is solved
   const MeshTopology& topology() const { return topology_; }
   Span<const Vec3<S>> rest() const { return rest_; }
@@ -134,11 +127,11 @@ class Body {
   const Deformer<S>& deformer() const { return deformer_; }
 
  private:
+  bool is_solid() const { return !solid_.rest.empty(); }
   bool closed() const { return topology_.closed() && volume_ != S(0); }
 
   Status bind_surface(Span<const Vec3<S>> rest, Span<const Face> faces) {
     if (const Status status = deformer_.bind(rest, faces); !status.ok()) return status;
-    solve_ = Solve::surface;
     carried_ = {};
     transforms_ = {};
     return {};
@@ -146,7 +139,6 @@ class Body {
 
   Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid) {
     if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
-    solve_ = Solve::solid;
     outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
     transforms_.resize(solid.rest.size());
@@ -154,7 +146,7 @@ class Body {
   }
 
   Status hold(Span<const Control<S>> controls) {
-    if (solve_ == Solve::surface) return deformer_.set_controls(controls);
+    if (!is_solid()) return deformer_.set_controls(controls);
     Discs<S> pieces;
     if (const Status status = detail::make_solid_pieces<S>(solid_, rest_, controls, pieces); !status.ok())
       return status;
@@ -162,7 +154,7 @@ class Body {
   }
 
   void take_shape() {
-    if (solve_ == Solve::solid) node_transforms<S>(solid_, deformer_.positions(), transforms_);
+    if (is_solid()) node_transforms<S>(solid_, deformer_.positions(), transforms_);
     carried_is_new_ = false;
   }
 
@@ -173,7 +165,6 @@ class Body {
   std::vector<detail::Limb<S>> limbs_;
   MeshTopology topology_;
   S volume_ = 0;
-  Solve solve_ = Solve::surface;
   Deformer<S> deformer_;
   detail::Drag<S> drag_;
   detail::Trunk<S> trunk_;

@@ -28,9 +28,9 @@ struct StarterOptions {
 
 // The starters that `poses` would make of key poses, at most so many. Poses: StarterPoses or StarterOffsets.
 template <class S, class Poses>
-RIGLESS_COLD void append_starters(const Poses& poses, Span<const Vec3<S>> clip, std::int32_t joint_count,
-                                  Span<const std::int32_t> pairs, std::int32_t most, std::int32_t users,
-                                  const StarterOptions<S>& options, ExampleStorage<S>& examples) {
+RIGLESS_COLD void append_starters(const Poses& poses, const StarterModel<S>& model, Span<const Vec3<S>> clip,
+                                  std::int32_t joint_count, Span<const std::int32_t> pairs, std::int32_t most,
+                                  std::int32_t users, const StarterOptions<S>& options, ExampleStorage<S>& examples) {
   const auto joints = to_size(joint_count);
   const std::size_t controls = pairs.size(), known = examples.controls.size() / controls;
   const std::vector<std::int32_t> paired = paired_joints(pairs, joint_count);
@@ -40,7 +40,8 @@ RIGLESS_COLD void append_starters(const Poses& poses, Span<const Vec3<S>> clip, 
   std::vector<S> heard(controls);
   for (const KeyPose& key : suggest_key_poses<S>(clip, joint_count, paired, most)) {
     const Vec3<S>* pose = &clip[to_size(key.frame) * joints];
-    poses.place_all(to_size(key.frame), places);
+    for (std::size_t c = 0; c < controls; ++c) places[c] = poses.place(pose, c);
+    level_soles<S>(model, to_size(key.frame), places);
     std::fill(lesson.begin(), lesson.end(), Vec3<S>::Zero());
     std::fill(heard.begin(), heard.end(), S(0.5));
     bool near = false;
@@ -86,10 +87,10 @@ RIGLESS_COLD Status add_starters(Span<const Vec3<S>> clip, std::int32_t joint_co
 
   if (model.limbs.empty()) {
     const StarterOffsets<S> poses(clip, joint_count, pairs, model, {});
-    append_starters<S>(poses, clip, joint_count, pairs, options.count / 2, users, options, examples);
+    append_starters<S>(poses, model, clip, joint_count, pairs, options.count / 2, users, options, examples);
   } else {
-    const StarterPoses<S> poses(clip, joint_count, pairs, figure, model, {});
-    append_starters<S>(poses, clip, joint_count, pairs, options.count, users, options, examples);
+    const StarterPoses<S> poses(pairs, figure, model, {});
+    append_starters<S>(poses, model, clip, joint_count, pairs, options.count, users, options, examples);
   }
   return {};
 }

@@ -23,6 +23,34 @@ struct StarterModel {
   Span<const ModelLimb<S>> limbs{};   // C, or empty
 };
 
+// Whether a control stands in a frame, and whether it ever does.
+template <class S>
+bool stands(const StarterModel<S>& model, std::size_t frame, std::size_t c) {
+  return !model.stands.empty() && model.stands[frame * model.rest.size() + c] != 0;
+}
+template <class S>
+bool is_foot(const StarterModel<S>& model, std::size_t c) {
+  for (std::size_t i = c; i < model.stands.size(); i += model.rest.size())
+    if (model.stands[i] != 0) return true;
+  return false;
+}
+
+// Makes soles that stand in a frame level, and no other lower. places: C. No allocation.
+template <class S>
+RIGLESS_COLD void level_soles(const StarterModel<S>& model, std::size_t frame, Span<Vec3<S>> places) {
+  S sum = 0, count = 0;
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    if (!stands(model, frame, c)) continue;
+    sum += places[c].y() - model.rest[c].y();
+    count += S(1);
+  }
+  for (std::size_t c = 0; c < places.size() && count > S(0); ++c) {
+    if (!is_foot(model, c)) continue;
+    const S level = model.rest[c].y() + sum / count;
+    places[c].y() = stands(model, frame, c) ? level : std::max(places[c].y(), level);
+  }
+}
+
 // The pose about which a clip moves: each joint's median, axis by axis. A person who stands and jumps once stands.
 // clip: T x J; J positions. Allocates.
 template <class S>

@@ -23,8 +23,7 @@ class StarterOffsets {
   // Keeps what it is given. Allocates.
   RIGLESS_COLD StarterOffsets(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
                               const StarterModel<S>& model, const OffsetOptions<S>& options)
-      : clip_(clip),
-        joints_(to_size(joint_count)),
+      : joints_(to_size(joint_count)),
         pairs_(pairs),
         model_(model),
         options_(options),
@@ -46,41 +45,15 @@ class StarterOffsets {
     return rest + scale_[c] * (pose[j] - median_[j]);
   }
 
-  // The same in a frame of the clip: soles that stand are level, and no other is lower. places: C.
-  RIGLESS_COLD void place_all(std::size_t frame, Span<Vec3<S>> places) const {
-    const std::size_t controls = pairs_.size();
-    S sum = 0, count = 0;
-    for (std::size_t c = 0; c < controls; ++c) {
-      places[c] = place(&clip_[frame * joints_], c);
-      if (!stands(frame, c)) continue;
-      sum += places[c].y() - model_.rest[c].y();
-      count += S(1);
-    }
-    for (std::size_t c = 0; c < controls && count > S(0); ++c) {
-      if (!is_foot(c)) continue;
-      const S level = model_.rest[c].y() + sum / count;
-      places[c].y() = stands(frame, c) ? level : std::max(places[c].y(), level);
-    }
-  }
-
  private:
   // The root joint is the origin of every pose.
   bool has_joint(std::size_t c) const { return pairs_[c] > 0; }
-  bool stands(std::size_t frame, std::size_t c) const {
-    return !model_.stands.empty() && model_.stands[frame * pairs_.size() + c] != 0;
-  }
-  bool is_foot(std::size_t c) const {
-    for (std::size_t i = c; i < model_.stands.size(); i += pairs_.size())
-      if (model_.stands[i] != 0) return true;
-    return false;
-  }
-
   // Model's legs over the human's: what is below the lowest control that does not stand, within reason.
   S legs(S human) const {
     const S human_leg = -median_low();
     S leg = model_.height;
     for (std::size_t c = 0; c < pairs_.size(); ++c)
-      if (!is_foot(c)) leg = std::min(leg, model_.rest[c].y() - model_.floor);
+      if (!is_foot(model_, c)) leg = std::min(leg, model_.rest[c].y() - model_.floor);
     leg = std::clamp(leg, S(0.2) * model_.height, S(0.55) * model_.height);
     return human_leg > S(0.1) * human ? leg / human_leg : size_;
   }
@@ -93,7 +66,7 @@ class StarterOffsets {
 
   // Legs as long as they are, all else as large as the model; less where its neighbours are nearer than the human's.
   RIGLESS_COLD S control_scale(std::size_t c, S human) const {
-    const S scale = is_foot(c) ? legs_ : size_;
+    const S scale = is_foot(model_, c) ? legs_ : size_;
     if (!has_joint(c)) return scale;
     S nearest = scale;
     for (std::size_t other = 0; other < pairs_.size(); ++other) {
@@ -121,7 +94,6 @@ class StarterOffsets {
     return rest + most / std::sqrt(most * most + move.squaredNorm()) * move;
   }
 
-  Span<const Vec3<S>> clip_;  // T x J
   std::size_t joints_;
   Span<const std::int32_t> pairs_;  // C
   StarterModel<S> model_;

@@ -29,9 +29,9 @@ template <class S>
 class StarterPoses {
  public:
   // Keeps what it is given. Allocates.
-  RIGLESS_COLD StarterPoses(Span<const Vec3<S>> clip, std::int32_t joint_count, Span<const std::int32_t> pairs,
-                            const StarterFigure<S>& figure, const StarterModel<S>& model, const LimbOptions<S>& options)
-      : clip_(clip), joints_(to_size(joint_count)), pairs_(pairs), figure_(figure), model_(model), options_(options) {
+  RIGLESS_COLD StarterPoses(Span<const std::int32_t> pairs, const StarterFigure<S>& figure,
+                            const StarterModel<S>& model, const LimbOptions<S>& options)
+      : pairs_(pairs), figure_(figure), model_(model), options_(options) {
     for (const std::int32_t joint : pairs) follows_.push_back(figure.limb(joint));
     find_hips();
     for (std::size_t c = 0; c < pairs.size(); ++c) limbs_.push_back(model_limb(c));
@@ -57,33 +57,7 @@ class StarterPoses {
     return carried(pose, rest);
   }
 
-  // The same in a frame of the clip: soles that stand are level, and no other is lower. places: C.
-  RIGLESS_COLD void place_all(std::size_t frame, Span<Vec3<S>> places) const {
-    const std::size_t controls = pairs_.size();
-    S sum = 0, count = 0;
-    for (std::size_t c = 0; c < controls; ++c) {
-      places[c] = place(&clip_[frame * joints_], c);
-      if (!stands(frame, c)) continue;
-      sum += places[c].y() - model_.rest[c].y();
-      count += S(1);
-    }
-    for (std::size_t c = 0; c < controls && count > S(0); ++c) {
-      if (!is_foot(c)) continue;
-      const S level = model_.rest[c].y() + sum / count;
-      places[c].y() = stands(frame, c) ? level : std::max(places[c].y(), level);
-    }
-  }
-
  private:
-  bool stands(std::size_t frame, std::size_t c) const {
-    return !model_.stands.empty() && model_.stands[frame * pairs_.size() + c] != 0;
-  }
-  bool is_foot(std::size_t c) const {
-    for (std::size_t i = c; i < model_.stands.size(); i += pairs_.size())
-      if (model_.stands[i] != 0) return true;
-    return false;
-  }
-
   // From the base of the human's limb to the control's joint, in lengths of that limb.
   Vec3<S> along(const Vec3<S>* pose, std::size_t c) const {
     const FollowedLimb<S>& limb = follows_[c];
@@ -96,7 +70,7 @@ class StarterPoses {
     hips_ = Vec3<S>::Zero();
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
       feet += follows_[c].part == FollowedPart::leg ? S(1) : S(0);
-      if (follows_[c].part != FollowedPart::leg && !is_foot(c))
+      if (follows_[c].part != FollowedPart::leg && !is_foot(model_, c))
         high = std::min(high, model_.rest[c].y() - model_.floor);
     }
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
@@ -170,8 +144,6 @@ class StarterPoses {
     return hips_ + trunk_rotation<S>({held(human.pitch), held(human.roll), held(human.twist)}) * arm;
   }
 
-  Span<const Vec3<S>> clip_;  // T x J
-  std::size_t joints_;
   Span<const std::int32_t> pairs_;  // C
   const StarterFigure<S>& figure_;
   StarterModel<S> model_;
