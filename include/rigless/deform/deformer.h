@@ -78,8 +78,9 @@ class Deformer {
 
   // Starts from nothing but the targets: rest, moved rigidly to fit them best (turned as the first control is that has
   // an orientation of its own), then bent by one solve until every control is met. Frames that start here depend on
-  // their targets alone. No allocation.
-  void start();
+  // their targets alone. rotations: V, how each vertex's surroundings are thought to be turned from rest, which the
+  // solve then bends towards; or empty. No allocation.
+  void start(Span<const Mat3<S>> rotations = {});
 
   // Starts the next step() from this surface (V) with unturned discs. No allocation.
   void set_shape(Span<const Vec3<S>> surface);
@@ -238,8 +239,8 @@ void Deformer<S, Weights>::free_turn(std::int32_t c) {
 }
 
 template <class S, class Weights>
-void Deformer<S, Weights>::start() {
-  iteration_.start();
+void Deformer<S, Weights>::start(Span<const Mat3<S>> rotations) {
+  iteration_.start(rotations);
   iteration_.show({}, shape_);
 }
 

@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "rigless/deform/detail/solid_pieces.h"
-#include "rigless/mesh/detail/limb.h"
 #include "rigless/mesh/detail/measure.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
 #include "rigless/scene/detail/drag.h"
+#include "rigless/scene/detail/limb_turns.h"
 #include "rigless/scene/detail/trunk.h"
 
 namespace rigless {
@@ -37,7 +37,6 @@ class Body {
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
-    held_.clear();
     limbs_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
     volume_ = is_solid() ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
@@ -46,15 +45,9 @@ class Body {
 
   // C controls. Allocates. Errors: those of Deformer::set_controls(). On failure the old controls stay.
   Status set_controls(Span<const Control<S>> controls) {
-    if (const Status status = hold(controls); !status.ok()) return status;
-    controls_.clear();
-    held_.clear();
-    limbs_.clear();
-    for (const Control<S>& c : controls) {
-      controls_.push_back(nth(rest_, c.vertex));
-      held_.push_back(c.vertex);
-    }
-    if (is_solid()) trunk_.bind(controls, controls_);
+    if (const Status status = is_solid() ? hold_solid(controls) : deformer_.set_controls(controls); !status.ok())
+      return status;
+    controls_ = at_rest(controls);
     drag_.bind(deformer_);
     return {};
   }
@@ -66,25 +59,19 @@ class Body {
     for (std::size_t c = 0; c < targets.size(); ++c) {
       if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
-    if (is_solid()) trunk_.turn(deformer_, targets);
-    drag_.move(deformer_, targets, volume, restart);
+    drag_.move(deformer_, targets, volume, restart, rotations(targets));
     take_shape();
     return {};
   }
 
   // The mesh for these C finite targets; depends on nothing but them. No allocation.
   void act(Span<const Vec3<S>> targets, S volume) {
-    if (is_solid()) trunk_.turn(deformer_, targets);
-    detail::deform_from_rest(deformer_, targets, volume);
+    detail::deform_from_rest(deformer_, targets, volume, rotations(targets));
     take_shape();
   }
 
-  // C: the limb of the solid at whose tip each control lies; none where the surface is solved. Found when they are
-  // first asked for. Allocates.
-  Span<const detail::Limb<S>> limbs() {
-    if (limbs_.empty() && is_solid()) limbs_ = detail::find_limbs<S>(solid_, held_, detail::bounds<S>(rest_).height());
-    return limbs_;
-  }
+  // C: the limb of the solid at whose tip each control lies; none where the surface is solved.
+  Span<const detail::Limb<S>> limbs() const { return limbs_; }
 
   // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
   Span<const Vec3<S>> positions() {
@@ -145,12 +132,31 @@ class Body {
     return {};
   }
 
-  Status hold(Span<const Control<S>> controls) {
-    if (!is_solid()) return deformer_.set_controls(controls);
-    Discs<S> pieces;
-    if (const Status status = detail::make_solid_pieces<S>(solid_, rest_, controls, pieces); !status.ok())
-      return status;
-    return deformer_.set_discs(std::move(pieces));
+  Status hold_solid(Span<const Control<S>> controls) {
+    if (const Status status = detail::check_controls(solid_, controls); !status.ok()) return status;
+    const std::vector<Vec3<S>> rest = at_rest(controls);
+    std::vector<detail::Limb<S>> limbs =
+        detail::find_limbs<S>(solid_, controls, rest, detail::bounds<S>(rest_).height());
+    detail::LimbTurns<S> turns;
+    turns.bind(solid_, controls, rest, limbs);
+    Discs<S> pieces = detail::make_solid_pieces<S>(solid_, rest_, controls, turns.on_limb());
+    if (const Status status = deformer_.set_discs(std::move(pieces)); !status.ok()) return status;
+    limbs_ = std::move(limbs);
+    turns_ = std::move(turns);
+    trunk_.bind(controls, rest);
+    return {};
+  }
+
+  std::vector<Vec3<S>> at_rest(Span<const Control<S>> controls) const {
+    std::vector<Vec3<S>> rest;
+    for (const Control<S>& c : controls) rest.push_back(nth(rest_, c.vertex));
+    return rest;
+  }
+
+  // How nodes begin to turn; none where the surface is solved.
+  Span<const Mat3<S>> rotations(Span<const Vec3<S>> targets) {
+    if (!is_solid()) return {};
+    return turns_.turn(trunk_.turn(deformer_, targets), targets);
   }
 
   void take_shape() {
@@ -158,16 +164,16 @@ class Body {
     carried_is_new_ = false;
   }
 
-  std::vector<Vec3<S>> rest_;       // V
-  std::vector<Face> faces_;         // F
-  std::vector<Vec3<S>> controls_;   // C, at rest
-  std::vector<std::int32_t> held_;  // C, their vertices
-  std::vector<detail::Limb<S>> limbs_;
+  std::vector<Vec3<S>> rest_;           // V
+  std::vector<Face> faces_;             // F
+  std::vector<Vec3<S>> controls_;       // C, at rest
+  std::vector<detail::Limb<S>> limbs_;  // C
   MeshTopology topology_;
   S volume_ = 0;
   Deformer<S> deformer_;
   detail::Drag<S> drag_;
   detail::Trunk<S> trunk_;
+  detail::LimbTurns<S> turns_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
   std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest

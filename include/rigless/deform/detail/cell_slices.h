@@ -53,9 +53,14 @@ struct CellSlices {
     return c.scale[k] * Eigen::Quaternion<S>(c.q.w[k], c.q.x[k], c.q.y[k], c.q.z[k]).toRotationMatrix();
   }
 
+  void set_rotation(std::int32_t place_of, const Mat3<S>& R) {
+    const auto at = to_size(nth(lane_of, place_of));
+    detail::set_rotation(R, static_cast<int>(at % width), cell[at / width].q);
+  }
+
   void set_rotations(const Mat3<S>& R) {
     for (Cell& c : cell) {
-      for (int k = 0; k < width; ++k) set_rotation(R, k, c.q);
+      for (int k = 0; k < width; ++k) detail::set_rotation(R, k, c.q);
     }
   }
 

@@ -28,7 +28,7 @@ struct ShapeIteration {
   std::vector<Quad> r;       // V + 1: residual, then update
   std::vector<Quad> solved;  // V + 1: the last iterate before momentum carried it on
 
-  void start();
+  void start(Span<const Mat3<S>> rotations);
   void step(int iterations);
   void relax(int iterations);
   // Leaves in r what the pose state adds to x.
@@ -47,7 +47,7 @@ struct ShapeIteration {
 };
 
 template <class S>
-void ShapeIteration<S>::start() {
+void ShapeIteration<S>::start(Span<const Mat3<S>> rotations) {
   RIGLESS_ASSERT(discs.size() > 0);
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
   for (std::size_t c = 0; c < targets.size(); ++c) {
@@ -70,6 +70,12 @@ void ShapeIteration<S>::start() {
   unturn_discs(R);
   slices.set_rotations(R);
   std::fill(r.begin(), r.end(), Quad{});  // a rigidly moved surface has no residual; what is held has moved on
+  if (!rotations.empty()) {
+    for (std::size_t v = 0; v < cells.size(); ++v) slices.set_rotation(system.place()[v], rotations[v]);
+    for (std::size_t c = 0; c < discs.size(); ++c)
+      if (!turned[c]) disc_rotation[c] = nth(rotations, nth(discs.member, discs.first[c]));
+    turned_step(slices, x.data(), r.data());
+  }
   hold();
   system.solve(r.data());
   for (std::size_t i = 0; i < cells.size(); ++i) x[i] += r[i];

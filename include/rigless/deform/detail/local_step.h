@@ -54,6 +54,16 @@ double shape_step(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticSc
   return energy;
 }
 
+// The same with the rotations that the cells have, none scaled.
+template <class S>
+void turned_step(CellSlices<S>& slices, const simd::Quad<S>* x, simd::Quad<S>* r) {
+  for_each_slice<false>(
+      slices, x, [&](std::size_t s, const MatrixLanes<S>&) { return rotation_matrix(slices.cell[s].q); },
+      [&](std::size_t s, const MatrixLanes<S>& M, const Gathered<S>& now) {
+        spread_residual<true, false>(slices, s, M, now.pull, r);
+      });
+}
+
 // Shape energy of x with R and s refitted, summed in double; every edge counts from both its ends. Changes nothing.
 template <class S>
 double shape_energy(CellSlices<S>& slices, const simd::Quad<S>* x, const ElasticScale<S>& elastic) {

@@ -15,18 +15,23 @@ inline constexpr double cells_of_ball = 2;
 // A slab ends this many radii from its control: it goes through the trunk, not along an arm that hangs beside it.
 inline constexpr double radii_of_slab = 4;
 
-// Nodes that are connected with the control's element inside its ball or slab; y is up. A node belongs to the nearest
-// control. rest: V, the model's vertices. Allocates. Errors: no_controls; index_out_of_range (where: control, also for
-// a vertex that no element carries).
+// Errors: no_controls; index_out_of_range (where: control, also for a vertex that no element carries).
 template <class S>
-RIGLESS_COLD Status make_solid_pieces(const Solid<S>& solid, Span<const Vec3<S>> rest, Span<const Control<S>> controls,
-                                      Discs<S>& out) {
+Status check_controls(const Solid<S>& solid, Span<const Control<S>> controls) {
   if (controls.empty()) return {Error::no_controls, -1};
   for (std::size_t c = 0; c < controls.size(); ++c) {
     const std::int32_t v = controls[c].vertex;
     if (v < 0 || to_size(v) >= solid.element_of.size() || nth(solid.element_of, v) < 0)
       return {Error::index_out_of_range, c};
   }
+  return {};
+}
+
+// Nodes that are connected with the control's element inside its ball or slab; y is up. A node belongs to the nearest
+// control. rest: V, the model's vertices; controls: checked; on_limb: N, not 0 for nodes that no slab takes. Allocates.
+template <class S>
+RIGLESS_COLD Discs<S> make_solid_pieces(const Solid<S>& solid, Span<const Vec3<S>> rest,
+                                        Span<const Control<S>> controls, Span<const char> on_limb) {
   Discs<S> discs;
   discs.owner.assign(solid.rest.size(), -1);
   std::vector<S> nearest(solid.rest.size(), std::numeric_limits<S>::max());
@@ -57,13 +62,12 @@ RIGLESS_COLD Status make_solid_pieces(const Solid<S>& solid, Span<const Vec3<S>>
       for (std::int32_t e = solid.ring.first[i]; e < solid.ring.first[i + 1]; ++e) {
         const std::int32_t j = nth(solid.ring.neighbor, e);
         const Vec3<S>& p = nth(solid.rest, j);
-        if (holds(p)) take(j, (p - center).norm());
+        if (holds(p) && !(controls[c].slab && nth(on_limb, j) != 0)) take(j, (p - center).norm());
       }
     }
   }
   list_members(discs);
-  out = std::move(discs);
-  return {};
+  return discs;
 }
 
 }  // namespace rigless::detail

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "rigless/mesh/detail/solid_parts.h"
 #include "rigless/mesh/detail/surface_graph.h"
 
 namespace rigless::detail {
@@ -15,15 +14,17 @@ struct Limb {
   Vec3<S> middle = Vec3<S>::Zero();  // half way along it
   S length = 0;                      // from there along the middles of its cross sections; 0: there is no limb
   S girth = 0;                       // usual length around it
+  S reach = 0;                       // from its tip to its base over the nodes, along edges
 };
 
 // Follows the surface from `tip`, a node, over as much as lies within `most` of it: what is as far away as each step
-// goes around the limb, until that is much longer than it has been, where the trunk begins; so near to the tip that is
-// the hand after a finger. Allocates.
-// Source: level sets of the distance from a tip as cross sections, Verroust and Lazarus 2000, Extracting skeletal
-// curves from 3D scattered data.
-template <class S>
-RIGLESS_COLD Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S most) {
+// goes around the limb, until the middle of that is in the trunk, or it is much longer than it has been, where the
+// trunk begins; so near to the tip that is the hand after a finger. is_trunk: of a position; sudden: how many times as
+// long is much longer. Allocates. Source: level sets of the distance from a tip as cross sections, Verroust and Lazarus
+// 2000, Extracting skeletal curves from 3D scattered data.
+template <class S, class IsTrunk>
+RIGLESS_COLD Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S most, S sudden,
+                               const IsTrunk& is_trunk) {
   constexpr std::size_t steps = 24;
   const S step = most / S(steps);
   std::vector<Vec3<S>> middle(steps, Vec3<S>::Zero());
@@ -40,17 +41,19 @@ RIGLESS_COLD Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S
   for (std::size_t k = 0; k < steps; ++k) {
     if (!(area[k] > S(0))) continue;
     const S girth = area[k] / step;
+    if (is_trunk(Vec3<S>(middle[k] / area[k]))) break;
     if (around.size() >= 3) {
       std::vector<S> sorted = around;
       std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
       limb.girth = sorted[sorted.size() / 2];
-      if (girth > S(1.8) * limb.girth) {
+      if (girth > sudden * limb.girth) {
         if (S(k) * step > S(0.3) * most) break;
         around.clear();
       }
     }
     around.push_back(girth);
     path.push_back(middle[k] / area[k]);
+    limb.reach = (S(k) + S(0.5)) * step;
   }
   limb.base = path.back();
   for (std::size_t k = 1; k < path.size(); ++k) limb.length += (path[k] - path[k - 1]).norm();
@@ -64,20 +67,10 @@ RIGLESS_COLD Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S
   return limb;
 }
 
-// The limb at whose tip each of some vertices of a mesh lies, over the nodes of the solid that was built from it,
-// whatever shells it is made of; height: of the body, in the mesh's units. Allocates.
+// The same where no trunk is known.
 template <class S>
-RIGLESS_COLD std::vector<Limb<S>> find_limbs(const Solid<S>& solid, Span<const std::int32_t> tips, S height) {
-  SurfaceGraph<S> graph;
-  graph.position = solid.rest;
-  graph.ring = solid.ring;
-  graph.area.assign(solid.rest.size(), solid.cell * solid.cell);
-  std::vector<Limb<S>> limbs;
-  for (const std::int32_t tip : tips) {
-    const std::int32_t element = nth(solid.element_of, tip);
-    limbs.push_back(element < 0 ? Limb<S>() : find_limb(graph, nth(solid.element, element)[0], S(0.7) * height));
-  }
-  return limbs;
+Limb<S> find_limb(const SurfaceGraph<S>& graph, std::int32_t tip, S most) {
+  return find_limb(graph, tip, most, S(1.8), [](const Vec3<S>&) { return false; });
 }
 
 }  // namespace rigless::detail

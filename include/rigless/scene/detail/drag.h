@@ -14,11 +14,12 @@ inline constexpr int iterations_from_rest = 8;
 // Shape iterations of a drag, which begins at the surface of the drag before it. Source: thesis, section 4.1.
 inline constexpr int iterations_per_drag = 2;
 
-// The surface for these C targets; depends on nothing but them. lambda_v is `volume`. No allocation.
+// The surface for these C targets; depends on nothing but them. lambda_v is `volume`; rotations: see Deformer::start().
+// No allocation.
 template <class S>
-void deform_from_rest(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume) {
+void deform_from_rest(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume, Span<const Mat3<S>> rotations) {
   deformer.set_targets(targets);
-  deformer.start();
+  deformer.start(rotations);
   deformer.relax(iterations_from_rest);
   deformer.pose(volume);
 }
@@ -35,9 +36,10 @@ class Drag {
   }
 
   // Towards C targets from where the last drag left the surface, or from rest; see deformer.positions(). No allocation.
-  void move(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume, bool restart) {
+  void move(Deformer<S>& deformer, Span<const Vec3<S>> targets, S volume, bool restart,
+            Span<const Mat3<S>> rotations = {}) {
     if (restart || at_rest_) {
-      deform_from_rest(deformer, targets, volume);
+      deform_from_rest(deformer, targets, volume, rotations);
     } else {
       deformer.resume(shape_);
       deformer.set_targets(targets);

@@ -1,0 +1,135 @@
+// How the limbs of a solid are turned before it is solved. A few iterations bend a limb, but do not turn it as a whole:
+// an arm that rests level and is to hang would hang by its hand and stretch. So a limb begins where its ends ask it to
+// be, bent at its middle when they are nearer than it is long.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "rigless/math/detail/rotation.h"
+#include "rigless/scene/detail/limbs.h"
+#include "rigless/scene/detail/trunk.h"
+
+namespace rigless::detail {
+
+template <class S>
+class LimbTurns {
+ public:
+  // C controls, where they rest, and the limb at whose tip each lies. A stump is no limb that turns. Allocates.
+  RIGLESS_COLD void bind(const Solid<S>& solid, Span<const Control<S>> controls, Span<const Vec3<S>> rest,
+                         Span<const Limb<S>> limbs) {
+    chains_.clear();
+    nodes_.clear();
+    rotations_.assign(solid.rest.size(), Mat3<S>::Identity());
+    on_limb_.assign(solid.rest.size(), 0);
+    std::vector<S> nearest(solid.rest.size(), std::numeric_limits<S>::max());
+    std::vector<Node> found(solid.rest.size());
+    for (std::size_t c = 0; c < controls.size(); ++c) {
+      const Limb<S>& limb = limbs[c];
+      if (controls[c].slab || !is_slender(limb, solid.cell)) continue;
+      const std::int32_t tip = nth(solid.element, nth(solid.element_of, controls[c].vertex))[0];
+      for (const auto& [node, distance] : vertices_within<S>(solid.rest, solid.ring, tip, limb.reach * (S(1) + blur))) {
+        if (distance >= nth(nearest, node)) continue;
+        nth(nearest, node) = distance;
+        const S along = distance / limb.reach;
+        nth(found, node) = {node, count_of(chains_), until(S(1), along), until(S(0.5), along)};
+      }
+      chains_.push_back(make_chain(limb, static_cast<std::int32_t>(c), rest[c]));
+    }
+    for (const Node& node : found) {
+      if (node.chain < 0) continue;
+      nodes_.push_back(node);
+      nth(on_limb_, node.node) = node.upper > S(0.5) ? 1 : 0;
+    }
+  }
+
+  // N: not 0 for nodes of limbs.
+  Span<const char> on_limb() const { return on_limb_; }
+
+  // N: how each node is turned from rest for these C targets, and for a trunk that is there. No allocation.
+  Span<const Mat3<S>> turn(const TrunkMotion<S>& trunk, Span<const Vec3<S>> targets) {
+    std::fill(rotations_.begin(), rotations_.end(), trunk.R);
+    for (Chain& chain : chains_) bend(chain, trunk, nth(targets, chain.control));
+    for (const Node& node : nodes_) {
+      const Chain& chain = nth(chains_, node.chain);
+      nth(rotations_, node.node) =
+          (part_of(chain.lower, node.lower) * part_of(chain.upper, node.upper)).toRotationMatrix() * trunk.R;
+    }
+    return rotations_;
+  }
+
+ private:
+  using Turn = Eigen::Quaternion<S>;
+
+  static constexpr S blur = S(0.15);  // of a limb's reach: over so much its turn begins, and changes at its middle
+
+  struct Chain {
+    std::int32_t control;
+    Vec3<S> base, middle, tip;  // at rest
+    Vec3<S> bulge;              // from the middle of base and tip to where it bends, at rest; unit
+    Turn upper, lower;          // of the half at the base from the trunk, of the other from that
+  };
+  struct Node {
+    std::int32_t node = -1, chain = -1;
+    S upper = 0, lower = 0;  // shares of those turns
+  };
+
+  // Several times as long as it is thick.
+  static bool is_slender(const Limb<S>& limb, S cell) {
+    return limb.length > S(0) && limb.length * limb.length > S(6) * limb.girth * cell;
+  }
+
+  // From 1 at the tip to 0 where `end` is passed.
+  static S until(S end, S along) {
+    const S x = std::clamp((end + blur - along) / (S(2) * blur), S(0), S(1));
+    return x * x * (S(3) - S(2) * x);
+  }
+
+  // About as much of a turn; no sine, which machines tell differently.
+  static Turn part_of(const Turn& turn, S share) {
+    const S sign = turn.w() < S(0) ? S(-1) : S(1);
+    Turn part((S(1) - share) + share * sign * turn.w(), share * sign * turn.x(), share * sign * turn.y(),
+              share * sign * turn.z());
+    part.normalize();
+    return part;
+  }
+
+  // Bends as it rests bent; a straight leg as a knee does, and what does not stand as an elbow of an arm that hangs.
+  static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip) {
+    Chain chain{control, limb.base, limb.middle, tip, Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity()};
+    const Vec3<S> way = (tip - limb.base).normalized();
+    const Vec3<S> off = limb.middle - limb.base - way * way.dot(limb.middle - limb.base);
+    if (off.norm() > S(0.08) * limb.length) {
+      chain.bulge = off.normalized();
+    } else {
+      const bool leg = limb.base.y() - tip.y() > S(0.8) * limb.length;
+      const Vec3<S> hanging = leg ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-Vec3<S>::UnitZ());
+      chain.bulge = shortest_arc<S>(-Vec3<S>::UnitY(), way) * hanging;
+    }
+    return chain;
+  }
+
+  // Two bones whose ends are told. Farther away than they reach they are straight.
+  static void bend(Chain& chain, const TrunkMotion<S>& trunk, const Vec3<S>& target) {
+    const Vec3<S> base = trunk.carry(chain.base), way = target - base;
+    const Vec3<S> upper = trunk.R * (chain.middle - chain.base), lower = trunk.R * (chain.tip - chain.middle);
+    const S a = upper.norm(), b = lower.norm(), d = std::max(way.norm(), S(1e-6) * (a + b));
+    const Mat3<S> swing = shortest_arc<S>((trunk.R * (chain.tip - chain.base)).normalized(), way / d);
+    const S foot = std::clamp((a * a - b * b + d * d) / (S(2) * d), -a, a);  // of the bend on the way
+    const S height = d < a + b ? std::sqrt(std::max(a * a - foot * foot, S(0))) : S(0);
+    const Vec3<S> middle = base + (way / d) * foot + swing * (trunk.R * chain.bulge) * height;
+    const Mat3<S> to_middle = shortest_arc<S>((swing * upper) / a, (middle - base).normalized()) * swing;
+    const Mat3<S> from_there = shortest_arc<S>((to_middle * lower) / b, (target - middle).normalized());
+    chain.upper = Turn(to_middle);
+    chain.lower = Turn(from_there);
+  }
+
+  std::vector<Chain> chains_;
+  std::vector<Node> nodes_;         // those that limbs turn
+  std::vector<Mat3<S>> rotations_;  // N
+  std::vector<char> on_limb_;       // N
+};
+
+}  // namespace rigless::detail

@@ -1,0 +1,142 @@
+// Limbs of a solid: where they leave the trunk, and that they turn as a whole.
+#include <doctest/doctest.h>
+
+#include "rigless/scene/body.h"
+#include "support/alloc_count.h"
+#include "support/voxels.h"
+
+using namespace rigless;
+
+namespace {
+
+using Vec3f = Vec3<float>;
+
+// Arms level, as wide as the body is high; sleeves to the elbow.
+BlockBody<float> sleeved_human() {
+  std::vector<Block> blocks = block_human;
+  blocks.push_back({{4, 26, -2}, {9, 31, 3}});
+  blocks.push_back({{-9, 26, -2}, {-4, 31, 3}});
+  return build_blocks<float>(blocks);
+}
+
+struct Held {
+  enum : std::int32_t { hips, chest, left_hand, right_hand };
+
+  BlockBody<float> model;
+  Body<float> body;
+  std::vector<Control<float>> controls;
+  std::vector<Vec3f> rest;
+
+  explicit Held(BlockBody<float> of) : model(std::move(of)) {
+    REQUIRE(body.set_mesh(model.vertices, model.faces, Solve::solid).ok());
+    hold({0, 18, 2}, 2, true);
+    hold({0, 28, 2}, 2, true);
+    hold({16, 28, 0}, 1.5f, false);
+    hold({-16, 28, 0}, 1.5f, false);
+    hold({2, 0, 0}, 1.5f, false);
+    hold({-2, 0, 0}, 1.5f, false);
+    REQUIRE(body.set_controls(controls).ok());
+    rest.assign(body.rest_controls().begin(), body.rest_controls().end());
+  }
+
+  void hold(const Vec3f& near, float radius, bool slab) {
+    std::size_t nearest = 0;
+    for (std::size_t v = 1; v < model.vertices.size(); ++v)
+      if ((model.vertices[v] - near).squaredNorm() < (model.vertices[nearest] - near).squaredNorm()) nearest = v;
+    controls.push_back({static_cast<std::int32_t>(nearest), radius, slab});
+  }
+
+  // How long the edges of the middle of the arm are of how long they rest, least and most.
+  std::pair<float, float> stretch_of_left_arm() {
+    const Span<const Vec3f> now = body.positions();
+    std::pair<float, float> range = {1e9f, 0};
+    for (const Face& f : model.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t a = f[k], b = f[(k + 1) % 3];
+        const Vec3f &p = nth(model.vertices, a), &q = nth(model.vertices, b);
+        if (std::min(p.x(), q.x()) < 9 || std::max(p.x(), q.x()) > 14) continue;
+        const float ratio = (nth(now, a) - nth(now, b)).norm() / (p - q).norm();
+        range = {std::min(range.first, ratio), std::max(range.second, ratio)};
+      }
+    }
+    return range;
+  }
+
+  // The middle of what rests between two planes across the left arm.
+  Vec3f middle_of_left_arm(float from, float to) {
+    Vec3f sum = Vec3f::Zero();
+    float count = 0;
+    for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+      if (model.vertices[v].x() < from || model.vertices[v].x() > to) continue;
+      sum += body.positions()[v];
+      ++count;
+    }
+    return sum / count;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a limb leaves where the trunk ends, whatever sleeves it wears") {
+  for (Held held : {Held(build_blocks<float>(block_human)), Held(sleeved_human())}) {
+    for (const std::int32_t hand : {Held::left_hand, Held::right_hand}) {
+      const detail::Limb<float>& limb = held.body.limbs()[static_cast<std::size_t>(hand)];
+      CHECK(std::abs(limb.base.x()) > 3);
+      CHECK(std::abs(limb.base.x()) < 6.5f);
+      CHECK(limb.length > 9);
+      CHECK(limb.length < 13.5f);
+      CHECK(std::abs(limb.middle.x()) > 8.5f);
+      CHECK(std::abs(limb.middle.x()) < 12.5f);
+    }
+    CHECK(held.body.limbs()[Held::chest].length == 0);
+  }
+}
+
+TEST_CASE("a slab of the chest leaves the arms beside it alone") {
+  const Held held(build_blocks<float>(block_human));
+  const Discs<float>& discs = held.body.deformer().discs();
+  const Solid<float>& solid = held.body.solid();
+  int of_chest = 0;
+  for (std::size_t v = 0; v < solid.rest.size(); ++v) {
+    if (discs.owner[v] != Held::chest) continue;
+    ++of_chest;
+    CHECK(std::abs(solid.rest[v].x()) < 8);
+  }
+  CHECK(of_chest > 50);
+}
+
+TEST_CASE("an arm that rests level hangs, or is thrown up, as long as it is") {
+  Held held(build_blocks<float>(block_human));
+  for (const float up : {-1.0f, 1.0f}) {
+    std::vector<Vec3f> targets = held.rest;
+    targets[Held::left_hand] = Vec3f(6, 28 + 10 * up, 0);
+    held.body.act(targets, 1);
+    const auto [least, most] = held.stretch_of_left_arm();
+    CHECK(least > 0.75f);
+    CHECK(most < 1.4f);
+    const Vec3f elbow = held.middle_of_left_arm(9, 12);
+    CHECK(std::abs(elbow.x() - 6) < 1.8f);
+    CHECK(up * (elbow.y() - 28) > 3);
+  }
+}
+
+TEST_CASE("an arm bends backwards at the elbow when its hand is nearer than it is long") {
+  Held held(build_blocks<float>(block_human));
+  std::vector<Vec3f> targets = held.rest;
+  targets[Held::left_hand] = Vec3f(6, 21, 1);
+  held.body.act(targets, 1);
+  const auto [least, most] = held.stretch_of_left_arm();
+  CHECK(least > 0.6f);
+  CHECK(most < 1.5f);
+  CHECK(held.middle_of_left_arm(9, 12).z() < -0.4f);
+}
+
+TEST_CASE("limbs that turn do not allocate") {
+  Held held(build_blocks<float>(block_human));
+  std::vector<Vec3f> targets = held.rest;
+  targets[Held::left_hand] = Vec3f(6, 18, 0);
+  held.body.act(targets, 1);
+  const auto before = test::allocation_count;
+  held.body.act(targets, 1);
+  CHECK(test::allocation_count == before);
+}
