@@ -21,6 +21,18 @@ double worst(Span<const Vec3<double>> a, const Points& b) {
   return w;
 }
 
+// w_ij = 1 / |N(i)|: not symmetric; only for Eq 2.1.
+template <class S>
+std::vector<S> normalized_uniform_weights(const OneRing& ring) {
+  std::vector<S> w(to_size(ring.edges()));
+  for (std::size_t i = 0; i + 1 < ring.first.size(); ++i) {
+    for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
+      nth(w, k) = S(1) / static_cast<S>(ring.first[i + 1] - ring.first[i]);
+    }
+  }
+  return w;
+}
+
 // The mesh of the thesis' Fig 2.2.
 struct Fan {
   json::Value golden = json::parse_file(RIGLESS_TEST_DIR "golden/laplacian_fan.json");

@@ -117,12 +117,16 @@ class Deformer {
   double energy() { return detail::shape_energy(iteration_.slices, iteration_.x.data(), iteration_.elastic); }
 
   // Of everything bound here.
-  std::int64_t bytes() const;
+  std::int64_t bytes() const { return iteration_.bytes() + detail::bytes_of(shape_, positions_); }
 
  private:
   using Quad = detail::simd::Quad<S>;
 
-  void begin(const DeformerOptions<S>& options);
+  void begin(const DeformerOptions<S>& options) {
+    iteration_.bind(options.elastic);
+    for (auto* rows : {&shape_, &positions_}) rows->resize(iteration_.cells.size());
+    reset();
+  }
 
   detail::ShapeIteration<S> iteration_;
   std::vector<Vec3<S>> shape_;      // V, as the caller numbers them
@@ -146,25 +150,6 @@ Status Deformer<S, Weights>::bind_graph(Span<const Vec3<S>> rest, const OneRing&
   return {};
 }
 
-// With new cells and no controls.
-template <class S, class Weights>
-void Deformer<S, Weights>::begin(const DeformerOptions<S>& options) {
-  iteration_.elastic.mu = options.elastic;
-  iteration_.system.bind(iteration_.cells);
-  iteration_.slices = detail::slice_cells(iteration_.cells, iteration_.system.place(), iteration_.system.vertex_at());
-  iteration_.discs = {};
-  iteration_.seams = {};
-  iteration_.discs.owner.assign(iteration_.cells.size(), -1);
-  iteration_.targets.clear();
-  iteration_.disc_rotation.clear();
-  iteration_.turned.clear();
-  for (auto* rows : {&iteration_.x, &iteration_.r, &iteration_.solved})
-    rows->assign(iteration_.cells.size() + 1, Quad{});
-  shape_.resize(iteration_.cells.size());
-  positions_.resize(iteration_.cells.size());
-  reset();
-}
-
 template <class S, class Weights>
 Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
   Discs<S> discs;
@@ -174,13 +159,7 @@ Status Deformer<S, Weights>::set_controls(Span<const Control<S>> controls) {
 
 template <class S, class Weights>
 Status Deformer<S, Weights>::set_discs(Discs<S> discs) {
-  if (const Status s = iteration_.system.hold(iteration_.cells, iteration_.discs, discs); !s.ok()) return s;
-  iteration_.discs = std::move(discs);
-  iteration_.seams = detail::find_seams(iteration_.cells, iteration_.discs);
-  iteration_.moved.assign(iteration_.discs.member.size(), Quad{});
-  iteration_.targets = iteration_.discs.center;
-  iteration_.disc_rotation.assign(iteration_.discs.size(), Mat3<S>::Identity());
-  iteration_.turned.assign(iteration_.discs.size(), 0);
+  if (const Status s = iteration_.set_discs(std::move(discs)); !s.ok()) return s;
   reset();
   return {};
 }
@@ -261,14 +240,6 @@ template <class Law, std::enable_if_t<std::is_class_v<Law>, int>>
 void Deformer<S, Weights>::pose(const Law& law) {
   iteration_.pose(law);
   iteration_.show(iteration_.r, positions_);
-}
-
-template <class S, class Weights>
-std::int64_t Deformer<S, Weights>::bytes() const {
-  return iteration_.system.bytes() + iteration_.slices.bytes() +
-         detail::bytes_of(iteration_.cells.ring.first, iteration_.cells.ring.neighbor, iteration_.cells.weight,
-                          iteration_.cells.rest, iteration_.cells.weighted_size, iteration_.discs.owner,
-                          iteration_.discs.member, iteration_.x, iteration_.r, iteration_.solved, shape_, positions_);
 }
 
 }  // namespace rigless

@@ -66,6 +66,10 @@ std::vector<Flight> resample_flights(const std::vector<Flight>& flights, S sourc
 
 // ---------------------------------------------------------------------------------------------------------------------
 
+}  // namespace rigless
+
+namespace rigless::detail {
+
 template <class S>
 class ContactFinder {
  public:
@@ -92,9 +96,8 @@ class ContactFinder {
   // would call the heel's swing into the ground a contact.
   static std::vector<std::int32_t> foot_joints(const LimbRoles& limb) {
     std::vector<std::int32_t> joints;
-    for (const std::int32_t j : {limb.tip >= 0 ? -1 : limb.ankle, limb.toe, limb.tip}) {
+    for (const std::int32_t j : {limb.tip >= 0 ? -1 : limb.ankle, limb.toe, limb.tip})
       if (j >= 0) joints.push_back(j);
-    }
     return joints;
   }
 
@@ -105,10 +108,10 @@ class ContactFinder {
     return x;
   }
   std::vector<S> smooth(const std::vector<S>& x) const {
-    return detail::running_mean(x, detail::half_window(options_.smoothing, clip_.fps));
+    return running_mean(x, half_window(options_.smoothing, clip_.fps));
   }
   std::vector<S> floor_under(const std::vector<S>& y) const {
-    return detail::running_minimum(y, detail::half_window(options_.floor_window, clip_.fps));
+    return running_minimum(y, half_window(options_.floor_window, clip_.fps));
   }
 
   // The lowest foot joint, and how low it comes nearby.
@@ -166,16 +169,15 @@ class ContactFinder {
 
   std::vector<S> mean_height() const {
     std::vector<S> mean(static_cast<std::size_t>(clip_.frames), 0);
-    for (std::size_t i = 0; i < clip_.positions.size(); ++i) {
+    for (std::size_t i = 0; i < clip_.positions.size(); ++i)
       mean[i / clip_.skeleton.names.size()] += clip_.positions[i].y() / static_cast<S>(clip_.joints());
-    }
     return mean;
   }
 
   // A flight is where no foot stands, both are high and the body is falling; somewhere in it, it falls nearly freely.
   std::vector<Flight> flights(const std::vector<std::uint8_t>& left, const std::vector<std::uint8_t>& right) const {
-    const std::int32_t half = std::max(1, detail::half_window(options_.flight_window, clip_.fps));
-    const std::vector<S> acceleration = detail::parabola_acceleration(mean_height(), half, clip_.fps);
+    const std::int32_t half = std::max(1, half_window(options_.flight_window, clip_.fps));
+    const std::vector<S> acceleration = parabola_acceleration(mean_height(), half, clip_.fps);
     std::vector<std::uint8_t> airborne(left.size(), 0);
     for (std::size_t f = 0; f < airborne.size(); ++f) {
       const bool high = lowest_[f] > floor_[f] + options_.flight_height;
@@ -198,9 +200,13 @@ class ContactFinder {
   std::vector<S> floor_;   // T
 };
 
+}  // namespace rigless::detail
+
+namespace rigless {
+
 template <class S>
 Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles, const ContactOptions<S>& options) {
-  return ContactFinder<S>(clip, options).find(roles);
+  return detail::ContactFinder<S>(clip, options).find(roles);
 }
 
 template <class S>
@@ -208,9 +214,8 @@ std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S so
   std::vector<std::uint8_t> labels(static_cast<std::size_t>(frames), 0);
   for (std::int32_t f = 0; f < frames; ++f) {
     const std::int32_t source = static_cast<std::int32_t>(std::lround(static_cast<S>(f) * source_fps / fps));
-    for (const FrameRun& run : runs) {
+    for (const FrameRun& run : runs)
       if (source >= run.begin && source < run.end) labels[static_cast<std::size_t>(f)] = 1;
-    }
   }
   return labels;
 }

@@ -1,7 +1,6 @@
 // ASF/AMC (Acclaim skeleton and motion) to joint positions.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,13 +10,12 @@
 
 #include "rigless/math/detail/macros.h"
 #include "rigless/math/status.h"
+#include "rigless/motion/acclaim_skeleton.h"
 #include "rigless/motion/clip.h"
-#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/amc_parser.h"
 #include "rigless/motion/detail/asf_parser.h"
-#include "rigless/motion/detail/euler.h"
-#include "rigless/motion/detail/parse_notes.h"
-#include "rigless/motion/parse_bvh.h"
+#include "rigless/motion/detail/clip_limits.h"
+#include "rigless/motion/detail/pose_acclaim.h"
 
 namespace rigless {
 
@@ -50,52 +48,6 @@ inline Status parse_asf(std::string_view text, AcclaimSkeleton& skeleton) {
   return {};
 }
 
-// One frame of world positions and rotations, in file units. Bone by bone C M inverse(C) turns it from rest in its
-// parent's axes; M applies the channels first to last.
-inline void pose_acclaim(const AcclaimSkeleton& skeleton, const detail::AmcParser& motion, const double* values,
-                         std::vector<Vec3<double>>& positions, std::vector<Mat3<double>>& rotations) {
-  const double angle_unit = motion.degrees() ? detail::radians_per_degree : 1.0;
-  for (const std::int32_t index : skeleton.order) {
-    const std::size_t b = static_cast<std::size_t>(index);
-    const AcclaimBone& bone = skeleton.bones[b];
-    Vec3<double> translation = bone.parent < 0 ? skeleton.root_position : Vec3<double>(bone.direction * bone.length);
-    Mat3<double> turn = Mat3<double>::Identity();
-    const double* value = values + motion.first(b);
-    for (std::size_t k = bone.channels.size(); k-- > 0;) {
-      const AcclaimChannel& channel = bone.channels[k];
-      if (channel.kind == AcclaimChannel::Kind::rotation)
-        detail::turn_about_axis(channel.axis, value[k] * angle_unit, turn);
-      if (channel.kind == AcclaimChannel::Kind::translation && bone.parent < 0) translation[channel.axis] = value[k];
-    }
-    rotations[b] = bone.axis * turn * bone.axis.transpose();
-    positions[b] = translation;
-    if (bone.parent < 0) continue;
-    const std::size_t parent = static_cast<std::size_t>(bone.parent);
-    rotations[b] = (rotations[parent] * rotations[b]).eval();
-    positions[b] = positions[parent] + rotations[b] * translation;
-  }
-}
-
-template <class S>
-void add_acclaim_skeleton(const AcclaimSkeleton& skeleton, Clip<S>& clip, ParseNotes& notes) {
-  std::vector<std::int32_t> joint_of_bone(skeleton.bones.size(), -1);
-  for (const std::int32_t index : skeleton.order) {
-    const AcclaimBone& bone = skeleton.bones[static_cast<std::size_t>(index)];
-    joint_of_bone[static_cast<std::size_t>(index)] = clip.joints();
-    const std::int32_t parent = bone.parent < 0 ? -1 : joint_of_bone[static_cast<std::size_t>(bone.parent)];
-    clip.skeleton.names.push_back(bone.name);
-    clip.skeleton.parents.push_back(parent);
-    notes.rest.push_back(
-        parent < 0 ? Vec3<double>(0, 0, 0)
-                   : Vec3<double>(notes.rest[static_cast<std::size_t>(parent)] + bone.direction * bone.length));
-    for (const AcclaimChannel& channel : bone.channels) {
-      const bool used = channel.kind == AcclaimChannel::Kind::rotation ||
-                        (channel.kind == AcclaimChannel::Kind::translation && parent < 0);
-      notes.lengths_ignored += used ? 0 : 1;
-    }
-  }
-}
-
 template <class S>
 Status parse_amc(std::string_view text, const AcclaimSkeleton& skeleton, Clip<S>& clip, ParseNotes* notes) {
   RIGLESS_ASSERT(!skeleton.order.empty());
@@ -105,7 +57,7 @@ Status parse_amc(std::string_view text, const AcclaimSkeleton& skeleton, Clip<S>
   const double scale = 0.0254 / skeleton.length_unit;
   Clip<S> result;
   ParseNotes found;
-  add_acclaim_skeleton(skeleton, result, found);
+  detail::add_acclaim_skeleton(skeleton, result, found);
   result.fps = static_cast<S>(motion.fps());
   result.metres_per_unit = static_cast<S>(scale);
   result.frames = static_cast<std::int32_t>(motion.frames());
@@ -114,13 +66,13 @@ Status parse_amc(std::string_view text, const AcclaimSkeleton& skeleton, Clip<S>
   std::vector<Vec3<double>> positions(skeleton.bones.size());
   std::vector<Mat3<double>> rotations(skeleton.bones.size());
   for (std::size_t f = 0; f < motion.frames(); ++f) {
-    pose_acclaim(skeleton, motion, motion.frame(f), positions, rotations);
+    detail::pose_acclaim(skeleton, motion, motion.frame(f), positions, rotations);
     for (const std::int32_t bone : skeleton.order) {
       result.positions.push_back((positions[static_cast<std::size_t>(bone)] * scale).template cast<S>());
     }
     result.root_rotation.push_back(Eigen::Quaterniond(rotations[0]).normalized().cast<S>());
   }
-  if (!all_finite(result)) return {Error::not_finite, -1};
+  if (!detail::all_finite(result)) return {Error::not_finite, -1};
   found.frames_read = result.frames;
   found.frame_cut = motion.frame_cut();
   clip = std::move(result);

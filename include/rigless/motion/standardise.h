@@ -9,6 +9,7 @@
 #include "rigless/motion/detail/units.h"
 #include "rigless/motion/detail/up_axis.h"
 #include "rigless/motion/joint_roles.h"
+#include "rigless/motion/units.h"
 
 namespace rigless {
 

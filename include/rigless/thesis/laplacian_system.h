@@ -12,18 +12,6 @@ namespace rigless {
 template <class S>
 using SparseMatrix = typename detail::SparseLdlt<S>::Matrix;
 
-// w_ij = 1 / |N(i)|: not symmetric; only for Eq 2.1. Allocates the result.
-template <class S>
-std::vector<S> normalized_uniform_weights(const OneRing& ring) {
-  std::vector<S> w(to_size(ring.edges()));
-  for (std::size_t i = 0; i + 1 < ring.first.size(); ++i) {
-    for (std::int32_t k = ring.first[i]; k < ring.first[i + 1]; ++k) {
-      nth(w, k) = S(1) / static_cast<S>(ring.first[i + 1] - ring.first[i]);
-    }
-  }
-  return w;
-}
-
 // L, V x V: (L V)_i = sum_j w_ij (v_i - v_j). `weight` per directed edge of the ring, > 0. Allocates.
 // Source: thesis Eq 2.1-2.2; weights 1 / |N(i)| give Eq 2.3.
 template <class S>

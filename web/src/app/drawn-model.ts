@@ -1,4 +1,4 @@
-import { toStage, turnToStage } from "../document/stage";
+import { toStage, turnToStage } from "../document/stage-transform";
 import type { MeshRef } from "../document/types";
 import type { Model } from "../io/model";
 import type { DrawnModel } from "../stage/port";

@@ -1,4 +1,4 @@
-import { facingFor } from "../document/stage";
+import { facingFor } from "../document/stage-transform";
 import type { Axis, MeshRef } from "../document/types";
 
 const TURNS: Readonly<Record<string, readonly Axis[]>> = {

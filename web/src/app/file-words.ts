@@ -1,4 +1,4 @@
-import { boundsOf } from "../document/stage";
+import { boundsOf } from "../document/stage-transform";
 import type { MeshRef, Point } from "../document/types";
 import type { MeshReport, Motion } from "../engine/types";
 import { listed } from "../io/formats";

@@ -1,5 +1,5 @@
 import { addPoint, freeId } from "../document/commands";
-import { boundsOf } from "../document/stage";
+import { boundsOf } from "../document/stage-transform";
 import type { Point } from "../document/types";
 import type { ShapeAnalysis } from "../engine/types";
 import type { Guess } from "../sync/guess";

@@ -1,16 +1,16 @@
 // What was said about single motions: pins, contacts, flights. Each is found by the motion file's name without folders.
 
 import type { Command } from "./store";
-import type { Clip, Pin, ProjectDocument } from "./types";
+import type { ClipEdits, Pin, ProjectDocument } from "./types";
 
-const NOTHING: Clip = {};
+const NOTHING: ClipEdits = {};
 
 export function clipName({ motion }: Pick<ProjectDocument, "motion">): string {
   return (motion.files.at(-1) ?? "").replace(/^.*[/\\]/, "");
 }
 
 /** What was said about the motion that plays. */
-export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): Clip {
+export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): ClipEdits {
   const name = clipName(document);
   const { clips } = document;
   return clips && Object.hasOwn(clips, name) ? clips[name] : NOTHING;
@@ -76,7 +76,7 @@ export function merged(runs: readonly (readonly [number, number])[]): [number, n
   return out;
 }
 
-function changeClip(change: (clip: Clip) => Clip): Command {
+function changeClip(change: (clip: ClipEdits) => ClipEdits): Command {
   return (document) => {
     const old = clipOf(document);
     const clip = change(old);

@@ -3,7 +3,7 @@
 import { pinFault, pointsOfPin } from "./clips";
 import schema from "./project-schema.json";
 import { findFault, withDefaults } from "./schema";
-import type { Clip, ProjectDocument } from "./types";
+import type { ClipEdits, ProjectDocument } from "./types";
 
 const VERSION = 1;
 
@@ -74,7 +74,7 @@ function brokenReference({ points, examples, clips = {} }: ProjectDocument): str
   return null;
 }
 
-function brokenClip({ pins = [], contacts = {}, flights = [] }: Clip, points: ReadonlySet<string>): string | null {
+function brokenClip({ pins = [], contacts = {}, flights = [] }: ClipEdits, points: ReadonlySet<string>): string | null {
   const ids = new Set<string>();
   for (const [n, pin] of pins.entries()) {
     if (ids.has(pin.id)) return `pins[${n}].id is "${pin.id}", which another pin has already.`;

@@ -77,7 +77,7 @@ export interface Pin {
 }
 
 /** What was said about one motion on this model, beyond its poses. */
-export interface Clip {
+export interface ClipEdits {
   readonly pins?: readonly Pin[];
   /** By point: half-open runs of frames in which it stands, instead of the motion's own. */
   readonly contacts?: Readonly<Record<string, readonly (readonly [number, number])[]>>;
@@ -95,6 +95,6 @@ export interface ProjectDocument {
   /** Roles of joints whose names do not tell them, such as "left foot", by the name that a point or an example says. */
   readonly joints?: Readonly<Record<string, string>>;
   /** By the motion file's name, without folders. */
-  readonly clips?: Readonly<Record<string, Clip>>;
+  readonly clips?: Readonly<Record<string, ClipEdits>>;
   readonly settings: Settings;
 }

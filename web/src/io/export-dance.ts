@@ -1,6 +1,6 @@
 // The one path from a dance's frames to a file.
 
-import { turnToStage } from "../document/stage";
+import { turnToStage } from "../document/stage-transform";
 import type { MeshRef } from "../document/types";
 import { stageFor } from "../sync/placement";
 import { meshInput } from "../sync/translate";

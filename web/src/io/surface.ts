@@ -1,7 +1,7 @@
 // Triangles as a file holds them become the surface that is solved: welded by position, without what is no triangle any more or is
 // there twice, and without vertices that no face uses.
 
-import { boundsOf } from "../document/stage";
+import { boundsOf } from "../document/stage-transform";
 import { count } from "./count";
 import { ModelError } from "./named-file";
 import { TupleTable } from "../util/tuple-table";

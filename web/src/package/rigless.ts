@@ -3,7 +3,7 @@
 
 import { newDocument } from "../document/commands";
 import { parseProject, serializeProject } from "../document/project";
-import { fromStage } from "../document/stage";
+import { fromStage } from "../document/stage-transform";
 import type { Axis, Example, Point, ProjectDocument, Settings, Vec3 } from "../document/types";
 import { EngineError, FPS } from "../engine/types";
 import type { Engine, Motion, MotionInput } from "../engine/types";

@@ -1,6 +1,6 @@
 // Where a model stands: from its file to the stage, and from its own place there to the world.
 
-import { boundsOf, type Stage, stageOf } from "../document/stage";
+import { boundsOf, type StageTransform, stageOf } from "../document/stage-transform";
 import type { MeshRef } from "../document/types";
 import type { Frame } from "../engine/types";
 
@@ -15,7 +15,7 @@ export interface SolverModel {
 }
 
 /** The transform between the model's file and the stage. */
-export function stageFor(model: SolverModel, mesh: MeshRef): Stage {
+export function stageFor(model: SolverModel, mesh: MeshRef): StageTransform {
   return stageOf(boundsOf(model.positions), mesh.facing, mesh.up);
 }
 

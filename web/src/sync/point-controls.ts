@@ -1,6 +1,6 @@
 // Points of a document as controls on the model, and controls as what a document holds. Pure.
 
-import { fromStage, pointToStage } from "../document/stage";
+import { fromStage, pointToStage } from "../document/stage-transform";
 import type { Example, Point, ProjectDocument, Vec3 } from "../document/types";
 import { type SolverModel, stageFor } from "./placement";
 

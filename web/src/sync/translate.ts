@@ -2,8 +2,8 @@
 // else. Pure.
 
 import { clipOf } from "../document/clips";
-import { pointToStage, toStage } from "../document/stage";
-import type { Clip, MeshRef, Pin, ProjectDocument } from "../document/types";
+import { pointToStage, toStage } from "../document/stage-transform";
+import type { ClipEdits, MeshRef, Pin, ProjectDocument } from "../document/types";
 import type { BoundMeshInput, ConstraintInput, ContactInput, ControlInput, Motion, RetargetInput, Solve } from "../engine/types";
 import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
 import { exampleJoints, pointJoints } from "./pairing";
@@ -47,7 +47,7 @@ export function retargetInput(model: SolverModel, document: ProjectDocument, mot
 }
 
 /** The pins that the solver is asked to keep, in its order. A clip may be shorter than the one that they were made on. */
-export function pinsWithin({ pins = [] }: Clip, frames: number): readonly Pin[] {
+export function pinsWithin({ pins = [] }: ClipEdits, frames: number): readonly Pin[] {
   return pins.filter(({ frame }) => frame < frames);
 }
 
@@ -57,7 +57,7 @@ function constraintOf(model: SolverModel, document: ProjectDocument, { kind, poi
   return { kind: "position", control, frame, value: [...pointToStage(stageFor(model, document.mesh), position)] };
 }
 
-function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts = {} }: Clip, frames: number): ContactInput[] {
+function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts = {} }: ClipEdits, frames: number): ContactInput[] {
   return points.flatMap(({ id }, control) => {
     const runs = own(contacts, id);
     return runs ? [{ control, runs: within(runs, frames) }] : [];

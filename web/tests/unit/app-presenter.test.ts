@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { setSettings } from "../../src/document/commands";
-import { toStage } from "../../src/document/stage";
+import { toStage } from "../../src/document/stage-transform";
 import { stageFor } from "../../src/sync/placement";
 import { danced, dancingSession } from "./app-support";
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { boundsOf, facingFor, fromStage, pointFromStage, pointToStage, stageOf, toStage } from "../../src/document/stage";
+import { boundsOf, facingFor, fromStage, pointFromStage, pointToStage, stageOf, toStage } from "../../src/document/stage-transform";
 import type { Axis, Vec3 } from "../../src/document/types";
 
 const AXES: Axis[] = ["+x", "-x", "+y", "-y", "+z", "-z"];

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { addExample, addPoint, newDocument } from "../../src/document/commands";
-import { pointFromStage } from "../../src/document/stage";
+import { pointFromStage } from "../../src/document/stage-transform";
 import type { ProjectDocument } from "../../src/document/types";
 import { readModel } from "../../src/io/read-model";
 import { stageFor } from "../../src/sync/placement";

@@ -4,12 +4,13 @@
 #include "rigless/deform/detail/hard_rows.h"
 #include "rigless/deform/detail/local_step.h"
 #include "rigless/deform/detail/pose_step.h"
+#include "rigless/math/detail/bytes.h"
 #include "rigless/math/detail/rotation.h"
 
 namespace rigless::detail {
 
 // A surface that iterates, with all that it needs; V vertices, C controls. The functions are those of Deformer that
-// have their names. None allocates.
+// have their names.
 template <class S>
 struct ShapeIteration {
   using Quad = simd::Quad<S>;
@@ -28,6 +29,10 @@ struct ShapeIteration {
   std::vector<Quad> r;       // V + 1: residual, then update
   std::vector<Quad> solved;  // V + 1: the last iterate before momentum carried it on
 
+  // To new cells, without controls. Allocates.
+  void bind(S mu);
+  // Allocates. On failure the old discs stay. Errors: factorization_failed.
+  RIGLESS_COLD Status set_discs(Discs<S> chosen);
   void start(Span<const Mat3<S>> rotations);
   void step(int iterations);
   void relax(int iterations);
@@ -44,7 +49,34 @@ struct ShapeIteration {
   void turn_discs();
   void hold();
   void show(Span<const Quad> update, Span<Vec3<S>> out) const;
+  std::int64_t bytes() const;
 };
+
+template <class S>
+void ShapeIteration<S>::bind(S mu) {
+  elastic.mu = mu;
+  system.bind(cells);
+  slices = slice_cells(cells, system.place(), system.vertex_at());
+  discs = {};
+  seams = {};
+  discs.owner.assign(cells.size(), -1);
+  targets.clear();
+  disc_rotation.clear();
+  turned.clear();
+  for (auto* rows : {&x, &r, &solved}) rows->assign(cells.size() + 1, Quad{});
+}
+
+template <class S>
+Status ShapeIteration<S>::set_discs(Discs<S> chosen) {
+  if (const Status s = system.hold(cells, discs, chosen); !s.ok()) return s;
+  discs = std::move(chosen);
+  seams = find_seams(cells, discs);
+  moved.assign(discs.member.size(), Quad{});
+  targets = discs.center;
+  disc_rotation.assign(discs.size(), Mat3<S>::Identity());
+  turned.assign(discs.size(), 0);
+  return {};
+}
 
 template <class S>
 void ShapeIteration<S>::start(Span<const Mat3<S>> rotations) {
@@ -197,6 +229,13 @@ void ShapeIteration<S>::show(Span<const Quad> update, Span<Vec3<S>> out) const {
     const Quad q = update.empty() ? x[at] : x[at] + update[at];
     out[v] = Vec3<S>(q[0], q[1], q[2]);
   }
+}
+
+template <class S>
+std::int64_t ShapeIteration<S>::bytes() const {
+  return system.bytes() + slices.bytes() +
+         bytes_of(cells.ring.first, cells.ring.neighbor, cells.weight, cells.rest, cells.weighted_size, discs.owner,
+                  discs.member, x, r, solved);
 }
 
 }  // namespace rigless::detail

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "rigless/motion/body_parts.h"
 #include "rigless/motion/detail/body_tree.h"
-#include "rigless/motion/detail/role_set.h"
 
 namespace rigless::detail {
 

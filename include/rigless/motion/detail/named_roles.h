@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/motion/body_parts.h"
 #include "rigless/motion/detail/name_reader.h"
-#include "rigless/motion/detail/role_set.h"
 #include "rigless/motion/detail/skeleton_tree.h"
 
 namespace rigless::detail {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "rigless/motion/body_parts.h"
 #include "rigless/motion/detail/body_sides.h"
 #include "rigless/motion/detail/body_tree.h"
 #include "rigless/motion/detail/named_roles.h"
-#include "rigless/motion/detail/role_set.h"
 #include "rigless/motion/detail/skeleton_tree.h"
 
 namespace rigless::detail {

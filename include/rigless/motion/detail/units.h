@@ -10,21 +10,7 @@
 
 #include "rigless/motion/clip.h"
 #include "rigless/motion/joint_roles.h"
-
-namespace rigless {
-
-inline constexpr double person_height = 1.7;  // metres, where nothing better is known
-
-// Public through standardise.h, as is UnitGuess.
-enum class LengthUnit : std::int32_t { metre, centimetre, millimetre, inch, cmu, foot, none };
-
-template <class S>
-struct UnitGuess {
-  S metres_per_unit = 1;
-  LengthUnit unit = LengthUnit::none;  // none: the body is as tall as no unit makes it, and scaled to person_height
-};
-
-}  // namespace rigless
+#include "rigless/motion/units.h"
 
 namespace rigless::detail {
 

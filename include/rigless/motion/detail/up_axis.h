@@ -10,13 +10,7 @@
 #include "rigless/math/types.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/joint_roles.h"
-
-namespace rigless {
-
-// Public through standardise.h.
-enum class UpAxis : std::int32_t { y, z };
-
-}  // namespace rigless
+#include "rigless/motion/units.h"
 
 namespace rigless::detail {
 

@@ -13,39 +13,11 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
 #include "rigless/retarget/detail/constraint_forces.h"
+#include "rigless/retarget/detail/spacetime_input.h"
 #include "rigless/retarget/detail/spacetime_track.h"
 #include "rigless/retarget/detail/weight_elimination.h"
 
 namespace rigless::detail {
-
-template <class S>
-struct SpacetimeOptions {
-  WeightOptions<S> weights;
-  // An offset track exists only on tracks with a constraint, so that a constraint changes no other track.
-  TrackOptions<S> track;
-  // Give of the hard constraints: repeated or contradicting ones meet at the nearest compromise.
-  S compliance = S(1e-9);
-
-  // The paper's own formulation: the 4 nearest examples, a soft affine row, exact constraints.
-  static SpacetimeOptions thesis() {
-    SpacetimeOptions options;
-    options.weights.locality = options.weights.sharing = 0;
-    options.weights.soft_affine = 1;
-    options.weights.nearest = 4;
-    options.compliance = 0;
-    return options;
-  }
-};
-
-// What one control is learned from.
-template <class S>
-struct TrackInput {
-  Span<const S> features;                // T x D
-  Span<const S> example_features;        // N x D
-  Span<const Vec3<S>> example_controls;  // N
-  Span<const S> stiffness = {};          // T x N further costs of the weights, see WeightCost; usually empty
-  Span<const S> pull = {};
-};
 
 // Solves the spacetime system of thesis Eq 3.29 for C tracks of T frames. The frames of a track are coupled through its
 // three coordinates only, so each frame's weights are eliminated first, then each track is one band system, and the
@@ -61,7 +33,7 @@ class SpacetimeSolver {
                const SpacetimeOptions<S>& options) {
     if (frames <= 0) return {Error::no_frames, -1};
     for (std::size_t t = 0; t < tracks.size(); ++t) {
-      const Error error = check(tracks[t], to_size(frames));
+      const Error error = check_track(tracks[t], to_size(frames));
       if (error != Error::none) return {error, t};
     }
     const Status status = constraint_rows(constraints, frames, count_of(tracks), rows_);
@@ -123,22 +95,6 @@ class SpacetimeSolver {
  private:
   enum class Stage { frames, rows, tracks, done };
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  static Error check(const TrackInput<S>& in, std::size_t frames) {
-    const std::size_t examples = in.example_controls.size();
-    if (examples == 0) return Error::no_examples;
-    const std::size_t dimension = in.features.size() / frames;
-    if (dimension == 0 || in.features.size() != frames * dimension ||
-        in.example_features.size() != examples * dimension || in.stiffness.size() != in.pull.size() ||
-        (!in.pull.empty() && in.pull.size() != frames * examples))
-      return Error::size_mismatch;
-    const auto finite = [](S x) { return std::isfinite(x); };
-    if (!std::all_of(in.features.begin(), in.features.end(), finite)) return Error::not_finite;
-    if (!std::all_of(in.example_features.begin(), in.example_features.end(), finite)) return Error::not_finite;
-    for (const Vec3<S>& c : in.example_controls)
-      if (!c.allFinite()) return Error::not_finite;
-    return Error::none;
-  }
 
   // Tracks with a constraint keep their factors until the constraint forces are known; the others share one workspace.
   void prepare(std::size_t constraints) {

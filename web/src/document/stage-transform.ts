@@ -10,7 +10,7 @@ export interface Bounds {
 }
 
 /** stage = scale * (rotation * file) + offset. */
-export interface Stage {
+export interface StageTransform {
   /** Metres per file unit. */
   readonly scale: number;
   /** 3 x 3, row-major: a signed permutation with determinant +1. */
@@ -41,7 +41,7 @@ export function facingFor(facing: Axis, up: Axis): Axis {
 }
 
 /** The transform that puts a model of these bounds on the stage, STAGE_HEIGHT tall; a wide one is measured by its width. */
-export function stageOf(bounds: Bounds, facing: Axis, up: Axis): Stage {
+export function stageOf(bounds: Bounds, facing: Axis, up: Axis): StageTransform {
   const y = unit(up);
   const z = unit(facingFor(facing, up));
   const x = cross(y, z);
@@ -56,14 +56,14 @@ export function stageOf(bounds: Bounds, facing: Axis, up: Axis): Stage {
 }
 
 /** One point of the file, on the stage. */
-export function pointToStage(stage: Stage, point: Vec3): Vec3 {
+export function pointToStage(stage: StageTransform, point: Vec3): Vec3 {
   const [x, y, z] = rotate(stage.rotation, point);
   const { scale, offset } = stage;
   return [scale * x + offset[0], scale * y + offset[1], scale * z + offset[2]];
 }
 
 /** One point of the stage, in the file's units and axes. */
-export function pointFromStage(stage: Stage, point: Vec3): Vec3 {
+export function pointFromStage(stage: StageTransform, point: Vec3): Vec3 {
   const { scale, offset, rotation: r } = stage;
   const x = (point[0] - offset[0]) / scale;
   const y = (point[1] - offset[1]) / scale;
@@ -72,17 +72,17 @@ export function pointFromStage(stage: Stage, point: Vec3): Vec3 {
 }
 
 /** N x 3 positions of the file, on the stage; a new array. */
-export function toStage(stage: Stage, positions: ArrayLike<number>): Float32Array {
+export function toStage(stage: StageTransform, positions: ArrayLike<number>): Float32Array {
   return mapPoints(positions, (point) => pointToStage(stage, point));
 }
 
 /** N x 3 positions of the stage, in the file's units and axes; a new array. */
-export function fromStage(stage: Stage, positions: ArrayLike<number>): Float32Array {
+export function fromStage(stage: StageTransform, positions: ArrayLike<number>): Float32Array {
   return mapPoints(positions, (point) => pointFromStage(stage, point));
 }
 
 /** N x 3 directions of the file, in the stage's axes; a new array. */
-export function turnToStage({ rotation }: Stage, directions: ArrayLike<number>): Float32Array {
+export function turnToStage({ rotation }: StageTransform, directions: ArrayLike<number>): Float32Array {
   return mapPoints(directions, (direction) => rotate(rotation, direction));
 }
 

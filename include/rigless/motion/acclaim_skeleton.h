@@ -1,4 +1,4 @@
-// The bones of an Acclaim skeleton, as its file tells them. Public through parse_acclaim.h.
+// The bones of an Acclaim skeleton, as its file tells them.
 #pragma once
 
 #include <cstdint>

@@ -1,16 +1,43 @@
-// The joints that carry the parts of a body. Public through joint_roles.h.
+// Parts and sides of a body: what a joint's name says of them, and which joints carry them.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <string>
 #include <vector>
 
-#include "rigless/motion/detail/body_parts.h"
-
 namespace rigless {
+
+// A joint is named after where it is: upper_leg is the hip joint, lower_leg the knee, foot the ankle, toe the ball;
+// shoulder is the collar, upper_arm the shoulder joint, lower_arm the elbow, hand the wrist. tip is the end of the
+// foot, end any other end.
+enum class BodyPart : std::int32_t {
+  none,
+  hips,
+  spine,
+  chest,
+  neck,
+  head,
+  shoulder,
+  upper_arm,
+  lower_arm,
+  hand,
+  finger,
+  upper_leg,
+  lower_leg,
+  foot,
+  toe,
+  tip,
+  end
+};
+
+enum class BodySide : std::int32_t { none, left, right };
+
+struct JointName {
+  BodySide side = BodySide::none;
+  BodyPart part = BodyPart::none;
+  std::string label;  // "Left elbow"; the joint's own words where the part is none, finger or end; unique in the list
+};
 
 // Joint indices of one side; -1 where there is none. `hip` is the top of the thigh, `toe` the ball of the foot, where
 // the toes bend, `tip` their end. A foot without a ball has its end as `toe` and no `tip`. `collar` lies before the
