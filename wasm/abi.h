@@ -182,6 +182,18 @@ struct Ask {
   Number gain;
 };
 
+// A place of a body that its file names, in the mesh's own axes and units; a tip says only that something is there.
+struct Landmark {
+  Vector position;
+  NameOf<BodyRole> role;
+  Number side;  // 1 on the body's left, -1 on its right, 0 in the middle
+};
+
+inline rigless::Landmark<float> landmark(const Landmark& one) {
+  const rigless::Vec3<double> position(one.position.x.value, one.position.y.value, one.position.z.value);
+  return {position.cast<float>(), static_cast<BodyRole>(one.role.value), static_cast<std::int32_t>(one.side.value)};
+}
+
 // What a bare mesh says of itself, in its own axes and units.
 struct Shape {
   Vector up;

@@ -6,6 +6,7 @@
 #include "exports.h"
 
 using rigless_wasm::answer;
+using rigless_wasm::Landmark;
 using rigless_wasm::pack;
 using rigless_wasm::PackedStatus;
 using rigless_wasm::Shape;
@@ -18,12 +19,19 @@ rigless::ShapeAnalysis<float> analysis;
 
 }  // namespace
 
-// positions: V x 3 in any axes and units; faces: F x 3; file: of FileAxes. What is found is shape() and shape_point().
+// positions: V x 3 in any axes and units; faces: F x 3; file: of FileAxes; up, front: where they are known, else zeros;
+// landmarks: any number. What is found is shape() and shape_point().
 RIGLESS_EXPORT PackedStatus analyse_shape(const float* positions, std::int32_t vertices, const std::int32_t* faces,
-                                          std::int32_t face_count, std::int32_t file) {
+                                          std::int32_t face_count, std::int32_t file, const float* up_and_front,
+                                          const Landmark* landmarks, std::int32_t landmark_count) {
+  std::vector<rigless::Landmark<float>> named;
+  for (const Landmark& one : view<Landmark>(landmarks, landmark_count)) named.push_back(landmark(one));
+  const auto known = view<rigless::Vec3<float>>(up_and_front, 2);
+  const rigless::Posture<float> posture{known[0].cross(known[1]), known[0], known[1]};
   return pack(rigless::analyse_shape<float>(view<rigless::Vec3<float>>(positions, vertices),
-                                            view<rigless::Face>(faces, face_count), analysis, nullptr,
-                                            static_cast<rigless::FileAxes>(file)));
+                                            view<rigless::Face>(faces, face_count), analysis,
+                                            posture.left.isZero() ? nullptr : &posture,
+                                            static_cast<rigless::FileAxes>(file), named));
 }
 
 RIGLESS_EXPORT const Shape* shape() {

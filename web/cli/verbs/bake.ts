@@ -15,9 +15,9 @@ import { keptFrames } from "../../src/io/write-glb";
 import { serializeTrack, trackOf } from "../../src/io/write-track";
 import { bake } from "../../src/sync/bake";
 import { Binding } from "../../src/sync/binding";
-import { fileAxes } from "../../src/sync/file-axes";
 import { guessProject } from "../../src/sync/guess";
 import { pairingFault, pairingNotes } from "../../src/sync/pairing";
+import { shapeInput } from "../../src/sync/shape-input";
 import { FileError, loadModelAndMotion, loadProject, OutputFiles } from "../files";
 import type { Progress } from "../progress";
 import { readModelInThread } from "../read-model";
@@ -121,10 +121,7 @@ async function guessed(paths: readonly string[], binding: Binding, progress: Pro
   const model = await readModelInThread(modelFiles, reading(progress, signal));
   progress.step("Looking at the model");
   const { joints } = await binding.takeMotion(motion.input, () => ({ signal }));
-  const said = await binding.engine.analyseShape(
-    { positions: model.positions, faces: model.faces, axes: fileAxes(model.name) },
-    { signal },
-  );
+  const said = await binding.engine.analyseShape(shapeInput(model), { signal });
   const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motion.files, model, said, joints);
   const { up, facing } = document.mesh;
   progress.note(

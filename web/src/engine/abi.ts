@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1438275385;
+export const ABI = 1343763477;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -223,6 +223,16 @@ export interface Ask {
 
 export const askRow: Row<Ask> = { doubles: 2, read: (n) => ({ frame: n[0], gain: n[1] }) };
 
+/** A place of a body that its file names, in the mesh's own axes and units; a tip says only that something is there. */
+export interface Landmark {
+  position: [number, number, number];
+  role: BodyRole;
+  /** 1 on the body's left, -1 on its right, 0 in the middle. */
+  side: number;
+}
+
+export const writeLandmark = (one: Landmark): number[] => [...one.position, BODY_ROLE_NAMES.indexOf(one.role), one.side];
+
 /** What a bare mesh says of itself, in its own axes and units. */
 export interface Shape {
   up: [number, number, number];
@@ -383,6 +393,9 @@ export interface ShapeAnalysisExports {
     faces: Pointer<Integers>,
     faceCount: number,
     file: number,
+    upAndFront: Pointer<Float32Array>,
+    landmarks: Pointer<Landmark>,
+    landmarkCount: number,
   ): PackedStatus;
   shape(): Pointer<Shape>;
   shape_point(index: number): Pointer<ShapePoint>;

@@ -3,7 +3,7 @@
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
 import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, FileAxes, Solve } from "../util/constants";
-import type { ConstraintInput, ControlInput as CoreControl } from "./abi";
+import type { ConstraintInput, ControlInput as CoreControl, Landmark } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -71,10 +71,16 @@ export interface BodyPoint {
   wanted: boolean;
 }
 
+export type { Landmark };
+
 /** A mesh in its file's axes and units. */
 export interface ShapeInput extends MeshInput {
   /** What files of its kind mostly hold upright; default "unknown". */
   axes?: FileAxes;
+  /** How it stands, where that is known. */
+  stands?: { up: AxisName; facing: AxisName } | null;
+  /** Places that are named already: those of a role stand for all of that role, feet for forelegs too. */
+  landmarks?: Landmark[];
 }
 
 /** What a bare mesh says of itself, in its own axes and units. A guess: it may be wrong, and is meant to be shown. */

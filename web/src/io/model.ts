@@ -1,17 +1,21 @@
 // A model in hand: the file's own document, and the views on it that are drawn and solved.
 
 import type { GltfDocument } from "../gltf/document";
+import { type Joint, jointsOf } from "./gltf/joints";
 import { viewOf, type View } from "./gltf/view";
 
 export interface Model extends View {
   /** File name without folders. */
   readonly name: string;
   readonly document: GltfDocument;
+  /** What the file calls its joints, or its parts; none where it names nothing. */
+  readonly joints: readonly Joint[];
   /** What was worked around, in plain words. */
   readonly notes: readonly string[];
 }
 
 /** Errors (ModelError): as viewOf. */
 export function modelOf(name: string, document: GltfDocument, notes: string[]): Model {
-  return { name, document, ...viewOf(name, document, notes), notes };
+  const view = viewOf(name, document, notes);
+  return { name, document, ...view, joints: jointsOf(document, view), notes };
 }

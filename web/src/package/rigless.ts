@@ -12,8 +12,10 @@ import type { JointRoles } from "../skeleton/pair-joints";
 import { bake } from "../sync/bake";
 import { Binding } from "../sync/binding";
 import { guessProject } from "../sync/guess";
+import type { NamedJoint } from "../sync/named-body";
 import { pairingNotes, sayPose } from "../sync/pairing";
 import { type SolverModel, stageFor } from "../sync/placement";
+import { shapeInput } from "../sync/shape-input";
 
 /** Any units, any axes. Vertices may be there twice, at the seams of a texture for example, or unused. */
 export interface Mesh {
@@ -21,6 +23,8 @@ export interface Mesh {
   readonly positions: ArrayLike<number>;
   /** F x 3, counter-clockwise. */
   readonly faces: ArrayLike<number>;
+  /** The skeleton that its file brings: names tell where its head, hands and feet are. */
+  readonly joints?: readonly NamedJoint[];
   /** Which way is up and which way it looks, in its own axes; by default guessed from its shape. */
   readonly up?: Axis;
   readonly facing?: Axis;
@@ -162,7 +166,14 @@ async function documentOf(
   const files = ["The motion"];
   const base = known
     ? newDocument("", { file: NAME, up: mesh.up, facing: mesh.facing }, { files })
-    : guessProject("", NAME, files, surface, await engine.analyseShape(surface, { ...(signal && { signal }) }), motion.joints);
+    : guessProject(
+        "",
+        NAME,
+        files,
+        surface,
+        await engine.analyseShape(shapeInput({ ...surface, ...(mesh.joints && { joints: mesh.joints }) }), { ...(signal && { signal }) }),
+        motion.joints,
+      );
   const said = poses.map((pose, n) => exampleOf(base, pose, n, motion));
   const document: ProjectDocument = {
     ...base,

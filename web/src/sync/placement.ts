@@ -3,6 +3,7 @@
 import { boundsOf, type StageTransform, stageOf } from "../document/stage-transform";
 import type { MeshRef } from "../document/types";
 import type { Frame } from "../engine/types";
+import type { NamedJoint } from "./named-body";
 
 /** What of a model the solver knows; file units and axes. */
 export interface SolverModel {
@@ -12,6 +13,8 @@ export interface SolverModel {
   readonly faces: Uint32Array;
   /** Of its file, if it has one. */
   readonly name?: string;
+  /** Of the skeleton that its file brings, if it does. */
+  readonly joints?: readonly NamedJoint[];
 }
 
 /** The transform between the model's file and the stage. */

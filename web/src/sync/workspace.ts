@@ -6,7 +6,6 @@ import { EngineError } from "../engine/types";
 import type { CallOptions, Engine, Frame, MeshReport, Motion, Performance, ShapeAnalysis } from "../engine/types";
 import { Emitter } from "../util/emitter";
 import { Binding, sameMesh, type Parts, type TakenMesh, type TakenMotion } from "./binding";
-import { fileAxes } from "./file-axes";
 import { FrameCache } from "./frame-cache";
 import { Library } from "./library";
 import type { SolverModel } from "./placement";
@@ -98,8 +97,9 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   }
 
   /** What a model says of itself, in its file's axes and units. Rejects with EngineError: bad_mesh, engine_lost. */
-  analyseShape({ positions, faces, name }: SolverModel): Promise<ShapeAnalysis> {
-    return this.binding.engine.analyseShape({ positions, faces, axes: fileAxes(name) });
+  async analyseShape(model: SolverModel): Promise<ShapeAnalysis> {
+    const { shapeInput } = await import("./shape-input");
+    return this.binding.engine.analyseShape(shapeInput(model));
   }
 
   /** Deforms body-locally towards C x 3 targets. Rejects with "superseded" when a newer drag overtakes it. */

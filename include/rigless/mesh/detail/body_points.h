@@ -13,23 +13,21 @@ class BodyReader {
  public:
   // Keeps what it is given. average: of average_geodesic(). Allocates.
   BodyReader(const SurfaceGraph<S>& graph, Span<const S> average, const Posture<S>& posture,
-             const SymmetryPlane<S>& plane)
-      : graph_(graph), average_(average), plane_(plane) {
+             const SymmetryPlane<S>& plane, Span<const Landmark<S>> landmarks)
+      : graph_(graph), average_(average), plane_(plane), named_(landmarks.begin(), landmarks.end()) {
     for (const Vec3<S>& p : graph.position) place_.push_back(posture.see(p));
     const Bounds<S> box = bounds<S>(place_);
     tall_ = std::max(box.height(), S(0.3) * box.diagonal());
     if (!(tall_ > S(0))) tall_ = S(1);
     const Vec3<S> ground((box.low.x() + box.high.x()) / S(2), box.low.y(), (box.low.z() + box.high.z()) / S(2));
     const Vec3<S> normal = posture.see(plane.normal);
-    for (Vec3<S>& p : place_) {
-      if (symmetric())
-        p.x() = (normal.x() < S(0) ? S(-1) : S(1)) * plane.side(graph.position[index(p)]);
-      else
-        p.x() -= ground.x();
-      p.y() -= ground.y();
-      p.z() -= ground.z();
-      p /= tall_;
-    }
+    const auto stand = [&](const Vec3<S>& in_file) {
+      Vec3<S> p = posture.see(in_file) - ground;
+      if (symmetric()) p.x() = (normal.x() < S(0) ? S(-1) : S(1)) * plane.side(in_file);
+      return Vec3<S>(p / tall_);
+    };
+    for (std::size_t i = 0; i < graph.size(); ++i) place_[i] = stand(graph.position[i]);
+    for (Landmark<S>& one : named_) one.position = stand(one.position);
     middle_ = std::max(S(0.06) * box.extent().x() / tall_, S(0.035));
   }
 
@@ -39,8 +37,17 @@ class BodyReader {
     find_tips();
     center_ = static_cast<std::int32_t>(std::min_element(average_.begin(), average_.end()) - average_.begin());
     head_ = find_head();
-    add_feet();
-    add_hands();
+    if (is_named(BodyRole::foot)) {
+      add_named_feet();
+    } else {
+      add_feet();
+    }
+    if (is_named(BodyRole::hand)) {
+      for (const Landmark<S>& hand : named_)
+        if (hand.role == BodyRole::hand) add(take(hand), BodyRole::hand, true, hand.side);
+    } else {
+      add_hands();
+    }
     add(head_, BodyRole::head, true, 0);
     add_trunk();
     add_bends();
@@ -58,6 +65,11 @@ class BodyReader {
   };
 
   bool symmetric() const { return is_symmetric(plane_); }
+  const Landmark<S>* named(BodyRole role) const {
+    const auto found = std::find_if(named_.begin(), named_.end(), [=](const auto& one) { return one.role == role; });
+    return found == named_.end() ? nullptr : &*found;
+  }
+  bool is_named(BodyRole role) const { return named(role) != nullptr; }
   std::size_t index(const Vec3<S>& p) const { return to_size(&p - place_.data()); }
   const Vec3<S>& place(std::int32_t node) const { return nth(place_, node); }
   S apart(std::int32_t a, std::int32_t b) const { return (place(a) - place(b)).norm(); }
@@ -139,13 +151,52 @@ class BodyReader {
     return S(0.3) * tall_;
   }
 
+  // The tip that a landmark means, or where there is none what is nearest to it; nothing that another limb means.
+  std::int32_t take(const Landmark<S>& landmark) {
+    const auto off = [&](const Vec3<S>& p, const Landmark<S>& from) { return (p - from.position).norm(); };
+    const auto is_its = [&](const Vec3<S>& p) {
+      return std::none_of(named_.begin(), named_.end(), [&](const Landmark<S>& other) {
+        return is_limb(other) && &other != &landmark && off(p, other) < off(p, landmark);
+      });
+    };
+    Tip* tip = nullptr;
+    S nearest = S(0.1);
+    for (Tip& t : tips_) {
+      if (t.used || !(off(place(t.node), landmark) < nearest) || !is_its(place(t.node))) continue;
+      nearest = off(place(t.node), landmark);
+      tip = &t;
+    }
+    if (tip == nullptr)
+      return best_node([&](const Vec3<S>& p) { return -off(p, landmark) - (is_its(p) ? S(0) : S(20)); });
+    tip->used = true;
+    return tip->node;
+  }
+
+  static bool is_limb(const Landmark<S>& one) { return one.role == BodyRole::hand || one.role == BodyRole::foot; }
+
+  // Nodes that are nearer to another named place than to the head; none where no head is named or nothing is left.
+  std::vector<char> beside_head() const {
+    std::vector<char> beside(place_.size(), 0);
+    if (!is_named(BodyRole::head)) return beside;
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+      const auto off = [&](const Landmark<S>& one) { return (one.position - place_[i]).squaredNorm(); };
+      const auto nearest = std::min_element(named_.begin(), named_.end(),
+                                            [&](const auto& a, const auto& b) { return off(a) < off(b); });
+      beside[i] = nearest->role == BodyRole::head ? 0 : 1;
+    }
+    if (std::find(beside.begin(), beside.end(), 0) == beside.end()) beside.assign(place_.size(), 0);
+    return beside;
+  }
+
   // High, in front and in the middle; not a crest, a horn or the tip of a hat, which are thin.
   std::int32_t find_head() const {
+    const std::vector<char> beside = beside_head();
     std::vector<char> thin(place_.size(), 0);
     std::int32_t head = center_;
     for (int tries = 0; tries < 6; ++tries) {
       head = best_middle([&](const Vec3<S>& p) {
-        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[index(p)] != 0 ? S(20) : S(0));
+        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[index(p)] != 0 ? S(20) : S(0)) -
+               (beside[index(p)] != 0 ? S(40) : S(0));
       });
       const S thick = thickness(head);
       if (thick >= S(0.055) * tall_) break;
@@ -191,6 +242,20 @@ class BodyReader {
           BodyRole::foot, true, sign > S(0) ? 1 : -1);
   }
 
+  void add_named_feet() {
+    S middle = 0;
+    for (const Landmark<S>& one : named_) {
+      if (one.role != BodyRole::foot) continue;
+      middle += one.position.z();
+      ++legs_;
+    }
+    for (const Landmark<S>& one : named_) {
+      if (one.role != BodyRole::foot) continue;
+      const bool fore = legs_ >= 4 && one.position.z() > middle / static_cast<S>(legs_);
+      add(take(one), fore ? BodyRole::foreleg : BodyRole::foot, true, one.side);
+    }
+  }
+
   // The most prominent pair that is no ears and no horns: those are nearer to the head than to the middle.
   void add_hands() {
     const std::vector<S> from_head = node_distances(graph_, head_), from_center = node_distances(graph_, center_);
@@ -219,9 +284,10 @@ class BodyReader {
       return;
     }
     // The middle of all is above the belly, since arms and head count.
-    const S belly = S(0.72) * place(center_).y();
+    const Landmark<S>*hips = named(BodyRole::hips), *chest = named(BodyRole::chest);
+    const S belly = hips != nullptr ? hips->position.y() : S(0.72) * place(center_).y();
     add(front_at(belly), BodyRole::hips, true, 0);
-    add(front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, true, 0);
+    add(front_at(chest != nullptr ? chest->position.y() : (belly + place(head_).y()) / S(2)), BodyRole::chest, true, 0);
   }
 
   std::int32_t front_at(S height) const {
@@ -297,6 +363,7 @@ class BodyReader {
   const SurfaceGraph<S>& graph_;
   Span<const S> average_;
   SymmetryPlane<S> plane_;
+  std::vector<Landmark<S>> named_;  // as place_
   std::vector<Vec3<S>> place_;  // N: left, up from the ground, forward; in heights
   S tall_ = S(1);               // of the body, in the file's units
   S middle_ = S(0);             // as far from the plane is still the middle

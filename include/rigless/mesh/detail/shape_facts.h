@@ -53,4 +53,12 @@ struct BodyPoint {
   bool wanted = true;         // a body needs it to dance; else it is there to be chosen
 };
 
+// A place of a body that somebody named, as a file does that brings joints; `tip` says only that something is there.
+template <class S>
+struct Landmark {
+  Vec3<S> position = Vec3<S>::Zero();  // in the mesh's axes and units
+  BodyRole role = BodyRole::tip;
+  std::int32_t side = 0;  // 1 on the body's left, -1 on its right, 0 in the middle
+};
+
 }  // namespace rigless
