@@ -85,13 +85,16 @@ RIGLESS_EXPORT PackedStatus body_set_controls(ObjectHandle body, const ControlIn
   return pack(bodies[body].set_controls(controls));
 }
 
-// targets: C x 3, body-local. The result is body_positions().
+// targets: C x 3, body-local. The result is body_positions(), or body_maps().
 RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, std::int32_t count, float volume,
                                       std::int32_t restart) {
   return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0));
 }
 
 RIGLESS_EXPORT const float* body_positions(ObjectHandle body) { return bodies[body].positions().data()->data(); }
+
+// The same by the nodes of the solid that carries the mesh: N x 12, rows of (B | b).
+RIGLESS_EXPORT const float* body_maps(ObjectHandle body) { return bodies[body].maps().data()->data(); }
 
 RIGLESS_EXPORT double body_volume_ratio(ObjectHandle body) { return static_cast<double>(bodies[body].volume_ratio()); }
 
@@ -130,12 +133,14 @@ RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_
   b.bake.bind(*b.body, b.performance, volume);
 }
 
-// Makes a frame: bake_positions(), V x 3 in the world, and bake_root().
+// Makes a frame: bake_positions(), V x 3 in the world, or bake_maps(), N x 12, and bake_root().
 RIGLESS_EXPORT PackedStatus bake_frame(ObjectHandle bake, std::int32_t frame) {
   return pack(bakes[bake].bake.frame(frame));
 }
 
 RIGLESS_EXPORT const float* bake_positions(ObjectHandle bake) { return bakes[bake].bake.positions().data()->data(); }
+
+RIGLESS_EXPORT const float* bake_maps(ObjectHandle bake) { return bakes[bake].bake.maps().data()->data(); }
 
 RIGLESS_EXPORT const BakeRoot* bake_root(ObjectHandle bake) {
   const BodyBake& b = bakes[bake];

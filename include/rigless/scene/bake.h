@@ -1,4 +1,4 @@
-// Any frame of a performance as vertices in the world.
+// Any frame of a performance in the world: as vertices, or as the maps of the nodes that carry them.
 #pragma once
 
 #include <algorithm>
@@ -58,6 +58,14 @@ class Bake {
       positions_[v] = Vec3<S>(c * p.x() + s * p.z(), p.y(), c * p.z() - s * p.x()) + root_.position;
     }
     return positions_;
+  }
+
+  // N, world: of the same frame, where a solid carries the vertices; see Body::maps(). No allocation.
+  Span<const detail::NodeMap<S>> maps() {
+    const S c = std::cos(root_.yaw), s = std::sin(root_.yaw);
+    Mat3<S> turn;
+    turn << c, S(0), s, S(0), S(1), S(0), -s, S(0), c;
+    return body_->maps(turn, root_.position);
   }
 
   const Root& root() const { return root_; }

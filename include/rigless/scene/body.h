@@ -5,6 +5,7 @@
 
 #include "rigless/deform/detail/solid_pieces.h"
 #include "rigless/mesh/detail/measure.h"
+#include "rigless/mesh/detail/node_maps.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
 #include "rigless/scene/detail/drag.h"
@@ -81,6 +82,14 @@ class Body {
     return carried_;
   }
 
+  // N: by which maps a solid carries the vertices, then turned and moved, as the last drag() or act() left it; none where
+  // the surface is solved. No allocation.
+  Span<const detail::NodeMap<S>> maps(const Mat3<S>& turn = Mat3<S>::Identity(),
+                                      const Vec3<S>& move = Vec3<S>::Zero()) {
+    detail::node_maps<S>(solid_, transforms_, turn, move, maps_);
+    return maps_;
+  }
+
   // y of the lowest vertex, as the last drag() or act() left them. No allocation.
   S lowest() const {
     S lowest = std::numeric_limits<S>::max();
@@ -121,6 +130,7 @@ class Body {
     if (const Status status = deformer_.bind(rest, faces); !status.ok()) return status;
     carried_ = {};
     transforms_ = {};
+    maps_ = {};
     return {};
   }
 
@@ -129,6 +139,7 @@ class Body {
     outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
     transforms_.resize(solid.rest.size());
+    maps_.resize(solid.rest.size());
     return {};
   }
 
@@ -176,6 +187,7 @@ class Body {
   detail::LimbTurns<S> turns_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
+  std::vector<detail::NodeMap<S>> maps_;      // N
   std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest
   std::vector<Vec3<S>> carried_;              // V
   bool carried_is_new_ = false;

@@ -1,7 +1,7 @@
 // One character's dance to one motion: eight moments, and how good it is in figures.
 
+import type { Frame, Performance } from "../../src/engine/types";
 import { STAGE_HEIGHT } from "../../src/util/constants";
-import type { Workspace } from "../../src/sync/workspace";
 import { solvedDance } from "./dance";
 import { drawMoments, onTheSpot, theModel } from "./moments";
 
@@ -35,7 +35,7 @@ window.castRow = async ({ folder, project, motion }) => {
   const { group, show, places, frames } = await theModel(model, document, workspace);
   const moments = Array.from({ length: FRAMES }, (_, k) => onTheSpot(places(Math.floor(((k + 0.5) * frames) / FRAMES))));
   const strip = drawMoments(group, show, moments, PIXELS).toDataURL("image/png");
-  const quality = qualityOf(workspace);
+  const quality = qualityOf(workspace.performance!, await workspace.vertexFrames({}));
   workspace.close();
   return { strip, quality };
 };
@@ -52,12 +52,10 @@ window.castSheet = async (strips) => {
   return canvas.toDataURL("image/webp", 0.8);
 };
 
-function qualityOf({ performance, cache }: Workspace): Quality {
-  const { controls, frames, slip, coverage } = performance!;
+function qualityOf({ controls, frames, slip, coverage }: Performance, made: readonly Frame[]): Quality {
   let lowest = 0;
   let [least, most] = [Infinity, -Infinity];
-  for (let frame = 0; frame < frames; frame++) {
-    const { positions, volumeRatio } = cache.at(frame)!;
+  for (const { positions, volumeRatio } of made) {
     for (let i = 1; i < positions.length; i += 3) lowest = Math.min(lowest, positions[i]!);
     if (volumeRatio !== null) [least, most] = [Math.min(least, volumeRatio), Math.max(most, volumeRatio)];
   }

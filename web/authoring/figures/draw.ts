@@ -29,6 +29,8 @@ window.draw = async (data, labels, skin) => {
     ...one,
     positions: Float32Array.from({ length: 3 * one.toVertex.length }, (_, i) => widest[3 * one.toVertex[Math.floor(i / 3)] + (i % 3)]),
     faces: Uint32Array.from(data.faces),
+    rest: widest,
+    solid: null,
   };
   const dots = data.controls.map((vertex, c): PointMark => ({ id: String(c), number: c + 1, name: "", vertex, joint: -1 }));
   for (const [k, positions] of figures.entries()) {
@@ -42,7 +44,7 @@ window.draw = async (data, labels, skin) => {
     await viewport.setModel(model);
     // The camera steps back for the widest and the tallest and stays there: one scale for all panels.
     for (const shape of [widest, tallest, positions]) {
-      viewport.setVertices(shape);
+      viewport.setShape(shape);
       await frames(3);
     }
     viewport.setPoints(dots, null);
@@ -65,7 +67,7 @@ function standing(positions: readonly number[]): Float32Array {
   return Float32Array.from(positions, (x, i) => (i % 3 === 1 ? x - lowest : x));
 }
 
-type Skin = Omit<DrawnModel, "positions" | "faces">;
+type Skin = Omit<DrawnModel, "positions" | "faces" | "rest" | "solid">;
 
 async function skinned(url: string): Promise<Skin> {
   const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer());

@@ -20,14 +20,15 @@ export interface Figure {
 }
 
 export async function theModel(model: Model, document: ProjectDocument, workspace: Workspace): Promise<Figure> {
-  const drawn = drawnModel(model, document.mesh);
+  const drawn = drawnModel(model, document.mesh, null);
+  const vertices = await workspace.vertexFrames({});
   const figure = new ModelFigure(drawn);
   figure.dress(await loadLook(drawn.document, drawn.instances));
   return {
     group: figure.group,
-    frames: workspace.cache.length,
-    places: (frame) => workspace.cache.at(frame)!.positions,
-    show: (places) => figure.setVertices(places),
+    frames: vertices.length,
+    places: (frame) => vertices[frame]!.positions,
+    show: (places) => figure.setShape(places),
   };
 }
 

@@ -11,12 +11,7 @@ import { HOSTILE } from "../strangers/hostile.js";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
 const { values: asked } = parseArgs({
-  options: {
-    models: { type: "string" },
-    hostile: { type: "boolean" },
-    only: { type: "string", default: "" },
-    all: { type: "boolean" },
-  },
+  options: { models: { type: "string" }, hostile: { type: "boolean" }, only: { type: "string", default: "" }, all: { type: "boolean" } },
 });
 if (!asked.models && !asked.hostile) throw new Error("--models <folder>, --hostile or both are needed.");
 
@@ -115,10 +110,24 @@ for (const [name, make] of asked.hostile ? Object.entries(HOSTILE) : []) {
   if (!pattern.test(`hostile-${name}`)) continue;
   const { positions, faces, truth, format, what } = make();
   const count = (end) => Object.keys(truth.limbs).filter((key) => key.endsWith(end)).length;
-  const limbs = Object.fromEntries([["head", "head"], ["hand", "hand"]].map(([role, end]) => [role, count(end)]).filter(([, n]) => n > 0));
-  const row = { name: `hostile-${name}`, what, limbs: [], truth: { ...truth, limbs: { ...limbs, ...(count("foot") && { legs: count("foot") }) } } };
+  const limbs = Object.fromEntries(
+    [
+      ["head", "head"],
+      ["hand", "hand"],
+    ]
+      .map(([role, end]) => [role, count(end)])
+      .filter(([, n]) => n > 0),
+  );
+  const row = {
+    name: `hostile-${name}`,
+    what,
+    limbs: [],
+    truth: { ...truth, limbs: { ...limbs, ...(count("foot") && { legs: count("foot") }) } },
+  };
   await judge(row, { name: `${name}.${format}`, positions: Float32Array.from(positions), faces });
 }
 const share = (n) => `${n} (${((100 * n) / tally.models).toFixed(0)} %)`;
-console.log(`${tally.models} models: up ${share(tally.up)}, front ${share(tally.front)}, limbs ${share(tally.limbs)}, all right ${share(tally.all)}`);
+console.log(
+  `${tally.models} models: up ${share(tally.up)}, front ${share(tally.front)}, limbs ${share(tally.limbs)}, all right ${share(tally.all)}`,
+);
 await server.close();

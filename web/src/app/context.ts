@@ -2,7 +2,9 @@ import { newDocument } from "../document/commands";
 import type { ProjectDocument } from "../document/types";
 import type { Motion, Performance } from "../engine/types";
 import type { SolverModel } from "../sync/placement";
+import { meshInput } from "../sync/translate";
 import { Workspace } from "../sync/workspace";
+import { carryVertices } from "../util/solid-cells";
 import { History } from "./history";
 import { Meter } from "./meter";
 import { Notices } from "./notices";
@@ -65,6 +67,19 @@ export class Context {
   get performance(): Performance | null {
     const { performance } = this.workspace;
     return performance && performance.controls.length === 3 * performance.frames * this.document.points.length ? performance : null;
+  }
+
+  /** V x 3 world: where the dance has the model's vertices at a frame; a copy. */
+  verticesAt(frame: number): Float32Array | null {
+    const { workspace, model, document } = this;
+    const shape = workspace.cache.at(frame)?.shape;
+    const solid = workspace.report?.solid;
+    if (!shape || !model) return null;
+    if (!solid) return shape.slice();
+    const rest = meshInput(model, document.mesh).positions;
+    const out = new Float32Array(rest.length);
+    carryVertices(solid, rest, shape, Uint32Array.from(solid.elementOf.keys()), out);
+    return out;
   }
 
   /** C x 3 body-local: where the dance has the points at a frame; a copy. */

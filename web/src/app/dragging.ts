@@ -1,6 +1,7 @@
 import { EngineError } from "../engine/types";
-import type { Frame } from "../engine/types";
-import { toLocal, toWorld } from "../sync/placement";
+import type { ShapedFrame } from "../engine/types";
+import type { Shape } from "../stage/port";
+import { mapsToWorld, toLocal, toWorld } from "../sync/placement";
 import type { Root } from "../sync/placement";
 import { pointPartners, restControls } from "../sync/point-controls";
 import type { Context } from "./context";
@@ -11,10 +12,10 @@ export interface Drag {
   readonly frame: number;
   /** Where the model stands while it is held. */
   readonly root: Root;
-  /** V x 3 world: the shape that the hand took. */
-  readonly before: Float32Array;
-  /** V x 3 world: what the hand made of it, once there is something. */
-  shape: Float32Array | null;
+  /** World: the shape that the hand took. */
+  readonly before: Shape;
+  /** World: what the hand made of it, once there is something. */
+  shape: Shape | null;
   /** C x 3 body-local: as the dance has them, and as the hand asks. */
   readonly base: Float32Array;
   targets: Float32Array;
@@ -62,7 +63,7 @@ export class Dragging {
       index,
       frame,
       root: shown.root,
-      before: shown.positions,
+      before: shown.shape,
       shape: null,
       base,
       targets: base.slice(),
@@ -193,10 +194,11 @@ export class Dragging {
       });
   }
 
-  private show(drag: Drag, frame: Frame): void {
+  private show(drag: Drag, frame: ShapedFrame): void {
     if (this.active !== drag) return;
     drag.volume = frame.volumeRatio;
-    drag.shape = toWorld(frame.positions, drag.root);
+    const place = this.context.workspace.report?.solid ? mapsToWorld : toWorld;
+    drag.shape = place(frame.shape, drag.root);
     this.context.meter.add(frame.milliseconds);
     this.context.signals.tell("drag");
   }

@@ -1,8 +1,8 @@
-import type { Insets, PointMark, StagePort } from "../stage/port";
+import type { Insets, PointMark, Shape, StagePort } from "../stage/port";
 import { describeJoints } from "../skeleton/pair-joints";
 import { pointJoints } from "../sync/pairing";
 import { pointPartners, pointVertices } from "../sync/point-controls";
-import { meshInput } from "../sync/translate";
+import { restMaps } from "../util/solid-cells";
 import type { SolverModel } from "../sync/placement";
 import type { Context } from "./context";
 import type { Coverage } from "./coverage";
@@ -26,10 +26,10 @@ export class Presenter {
   private stage: StagePort | null = null;
   /** The hand's shape stays at this frame until the new dance has one of its own. */
   private frozen: number | null = null;
-  /** V x 3, stage: what shows while there is no dance. */
-  private rest: Float32Array | null = null;
+  /** What shows while there is no dance. */
+  private rest: Shape | null = null;
   private drag: Drag | null = null;
-  private dragShape: Float32Array | null = null;
+  private dragShape: Shape | null = null;
 
   constructor(
     private readonly context: Context,
@@ -90,8 +90,8 @@ export class Presenter {
   }
 
   /** A small picture of a shape; "" without a stage. */
-  thumbnail(positions: Float32Array, size: number): string {
-    return this.stage?.thumbnail(positions, size) ?? "";
+  thumbnail(shape: Shape, size: number): string {
+    return this.stage?.thumbnail(shape, size) ?? "";
   }
 
   close(): void {
@@ -101,11 +101,13 @@ export class Presenter {
 
   private model(): void {
     const { stage } = this;
-    const { model, document } = this.context;
+    const { model, document, workspace } = this.context;
     const source = model && this.shown.sources.of(model);
     if (!stage || !source) return;
-    const seen = stage.setModel(drawnModel(source.model, document.mesh));
-    const rest = meshInput(source.model, document.mesh).positions;
+    const solid = workspace.model === model ? (workspace.report?.solid ?? null) : null;
+    const drawn = drawnModel(source.model, document.mesh, solid);
+    const seen = stage.setModel(drawn);
+    const rest = solid ? restMaps(solid) : drawn.rest;
     this.rest = rest;
     void seen.then(() => {
       if (this.rest === rest) this.context.signals.emit("staged", rest);
@@ -186,7 +188,7 @@ export class Presenter {
     }
     if (!drag?.shape || drag.shape === this.dragShape) return;
     this.dragShape = drag.shape;
-    this.stage?.setVertices(drag.shape);
+    this.stage?.setShape(drag.shape);
     if (drag.volume !== null) this.stage?.setLook({ note: `Volume ${Math.round(100 * drag.volume)} %` });
   }
 
@@ -200,8 +202,8 @@ export class Presenter {
     if (this.frozen !== null && this.frozen === at && !workspace.cache.isFresh(at)) return;
     this.frozen = null;
     const frame = workspace.cache.at(at) ?? workspace.cache.nearest(at);
-    if (frame) stage.setVertices(frame.positions);
-    else if (this.rest) stage.setVertices(this.rest);
+    if (frame) stage.setShape(frame.shape);
+    else if (this.rest) stage.setShape(this.rest);
   }
 
   /** J x 3 world; on the spot if the model is. */

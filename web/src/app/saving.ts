@@ -36,7 +36,7 @@ export class Saving {
     const steps = [`Play through ${figure(performance.frames)} frames`, "Write the file"];
     try {
       await this.jobs.run(`Exporting ${name}`, steps, async (job) => {
-        const frames = await this.allFrames(job.signal, job.progress);
+        const frames = await this.context.workspace.vertexFrames({ signal: job.signal, onProgress: job.progress });
         job.step(1);
         const { everyFor, exportDance } = await import("../io/export-dance");
         const every = everyFor(frames.length);
@@ -57,20 +57,5 @@ export class Saving {
 
   private refuse(title: string, error: unknown): void {
     this.context.notices.say({ bad: true, title, text: error instanceof Error ? error.message : String(error) });
-  }
-
-  /** Waits until every frame of the present dance is there. */
-  private async allFrames(signal: AbortSignal, progress: (done: number) => void): Promise<{ positions: Float32Array }[]> {
-    const { workspace } = this.context;
-    const stop = workspace.on("frame", () => progress(1 - workspace.cache.staleCount / workspace.cache.length));
-    try {
-      while (workspace.cache.staleCount > 0) {
-        await workspace.sync();
-        signal.throwIfAborted();
-      }
-    } finally {
-      stop();
-    }
-    return Array.from({ length: workspace.cache.length }, (_, f) => workspace.cache.at(f)).filter((frame) => frame !== undefined);
   }
 }

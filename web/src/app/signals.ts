@@ -1,4 +1,5 @@
 import type { ProjectDocument } from "../document/types";
+import type { Shape } from "../stage/port";
 import { Emitter } from "../util/emitter";
 
 /** What has changed. Parts of the app and elements of the page listen to the topics they need. */
@@ -39,7 +40,7 @@ export interface Topics {
   /** The stage was built. */
   stage: void;
   /** The model was put on the stage anew: V x 3, at rest. */
-  staged: Float32Array;
+  staged: Shape;
 }
 
 export class Signals extends Emitter<Topics> {

@@ -1,6 +1,6 @@
 import type { Example } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { StagePort } from "../stage/port";
+import type { Shape, StagePort } from "../stage/port";
 import type { Context } from "./context";
 import type { Dragging } from "./dragging";
 import type { Poses } from "./poses";
@@ -17,7 +17,7 @@ export type ThumbnailPort = Pick<StagePort, "thumbnail">;
 export class Thumbnails {
   rest: string | null = null;
   private pictures = new WeakMap<Example, string>();
-  private restPositions: Float32Array | null = null;
+  private restShape: Shape | null = null;
   private working = false;
   private readonly opened = new Promise<void>((resolve) => setTimeout(() => resolve(), AFTER_OPENING_MS));
 
@@ -39,9 +39,9 @@ export class Thumbnails {
   }
 
   /** The mesh changed: no picture is true any more. */
-  private reset(restPositions: Float32Array): void {
+  private reset(restShape: Shape): void {
     this.pictures = new WeakMap();
-    this.restPositions = restPositions;
+    this.restShape = restShape;
     this.rest = null;
     this.context.signals.tell("thumbnails");
     void this.update();
@@ -64,10 +64,10 @@ export class Thumbnails {
 
   /** Answers false once there is nothing to make, or something in the way. */
   private async makeNext(): Promise<boolean> {
-    const { context, stage, restPositions } = this;
-    if (restPositions === null) return false; // nobody draws yet
+    const { context, stage, restShape } = this;
+    if (restShape === null) return false; // nobody draws yet
     if (this.rest === null) {
-      this.rest = stage.thumbnail(restPositions, SIZE);
+      this.rest = stage.thumbnail(restShape, SIZE);
       context.signals.tell("thumbnails");
       return true;
     }
@@ -79,7 +79,7 @@ export class Thumbnails {
     for (let k = 0; k < 4; k++) {
       const frame = await context.workspace.drag(targets, k === 0);
       if (this.dragging.active) return false;
-      if (k === 3) this.pictures.set(pose, stage.thumbnail(frame.positions, SIZE));
+      if (k === 3) this.pictures.set(pose, stage.thumbnail(frame.shape, SIZE));
     }
     context.signals.tell("thumbnails");
     return true;

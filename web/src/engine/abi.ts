@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1343763477;
+export const ABI = 1702150141;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -310,6 +310,7 @@ export interface RiglessExports {
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
   body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
   body_positions(body: Handle): Pointer<Float32Array>;
+  body_maps(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;
   body_rest_controls(body: Handle): Pointer<Float32Array>;
   body_limbs(body: Handle): Pointer<Float32Array>;
@@ -328,6 +329,7 @@ export interface RiglessExports {
   ): void;
   bake_frame(bake: Handle, frame: number): PackedStatus;
   bake_positions(bake: Handle): Pointer<Float32Array>;
+  bake_maps(bake: Handle): Pointer<Float32Array>;
   bake_root(bake: Handle): Pointer<BakeRoot>;
   motion_new(): Handle;
   motion_delete(motion: Handle): void;

@@ -3,7 +3,8 @@
 import { solidInfoRow } from "./abi";
 import { Heap } from "./heap";
 import { engineError } from "./messages";
-import type { MeshInput, SolidCells } from "./types";
+import type { SolidCells } from "../util/solid-cells";
+import type { MeshInput } from "./types";
 import { instantiateShapeAnalysis } from "./wasm";
 
 /** What a body is solved by: the cells, and which nodes are joined how stiffly. */

@@ -14,6 +14,7 @@ import type {
   Performance,
   RetargetInput,
   ShapeAnalysis,
+  ShapedFrame,
   ShapeInput,
 } from "./types";
 
@@ -30,7 +31,7 @@ interface Pending {
   resolve(value: unknown): void;
   reject(error: EngineError): void;
   onProgress?: ((done: number) => void) | undefined;
-  onFrame?: ((frame: number, result: Frame) => void) | undefined;
+  onFrame?: ((frame: number, result: Frame | ShapedFrame) => void) | undefined;
 }
 
 export class EngineClient implements Engine {
@@ -72,7 +73,7 @@ export class EngineClient implements Engine {
     return this.#call("setMotion", motion, options);
   }
 
-  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<Frame> {
+  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<ShapedFrame> {
     return this.#call("drag", { targets, volume: options.volume, restart: options.restart ?? false });
   }
 
@@ -81,14 +82,21 @@ export class EngineClient implements Engine {
   }
 
   frames(order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions): Promise<void> {
-    const hear = (frame: number, result: Frame) => {
-      if (!options?.signal?.aborted) onFrame(frame, result);
-    };
-    return this.#call("frames", Uint32Array.from(order), options, hear);
+    return this.#frames(order, false, (frame, result) => onFrame(frame, result as Frame), options);
+  }
+
+  shapes(order: ArrayLike<number>, onShape: (frame: number, result: ShapedFrame) => void, options?: CallOptions): Promise<void> {
+    return this.#frames(order, true, (frame, result) => onShape(frame, result as ShapedFrame), options);
   }
 
   close(): void {
     this.#lose("The engine was closed.");
+  }
+
+  #frames(order: ArrayLike<number>, shaped: boolean, onFrame: NonNullable<Pending["onFrame"]>, options?: CallOptions): Promise<void> {
+    return this.#call("frames", { order: Uint32Array.from(order), shaped }, options, (frame, result) => {
+      if (!options?.signal?.aborted) onFrame(frame, result);
+    });
   }
 
   #shapeAnalysis(): Promise<ArrayBuffer> {

@@ -7,10 +7,10 @@ import { Heap } from "./heap";
 import { engineError } from "./messages";
 import type { Subject } from "./messages";
 import { readMotion } from "./motion";
-import type { DragInput, SetMeshInput } from "./protocol";
+import type { DragInput, FramesInput, SetMeshInput } from "./protocol";
 import { beginRetarget, describePerformance } from "./retarget";
 import { EngineError } from "./types";
-import type { ControlInput, Frame, MeshReport, Motion, MotionInput, Performance, RetargetInput } from "./types";
+import type { ControlInput, Frame, MeshReport, Motion, MotionInput, Performance, RetargetInput, ShapedFrame, SolidCells } from "./types";
 
 export class Core {
   #wasm: RiglessExports;
@@ -19,6 +19,8 @@ export class Core {
   /** Of the mesh; null before there is one. */
   #report: BodyReport | null = null;
   #vertices = 0;
+  /** Of the solid that carries it; 0 where its surface is solved. */
+  #nodes = 0;
   #controls = 0;
   #motion: Handle = 0;
   /** The last performance, ready to be deformed. */
@@ -34,17 +36,22 @@ export class Core {
     if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
       throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
     }
-    if (wasm) this.#setSolidMesh(positions, faces, buildSolid({ positions, faces }, wasm));
-    else
+    let solid: SolidCells | null = null;
+    if (wasm) {
+      const { first, neighbors, weights, ...cells } = buildSolid({ positions, faces }, wasm);
+      this.#setSolidMesh(positions, faces, { ...cells, first, neighbors, weights });
+      solid = cells;
+    } else
       this.#heap.lend([positions, faces], ([at, facesAt]) => {
         this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
       });
     this.#forgetBake();
     this.#controls = 0;
     this.#vertices = positions.length / 3;
+    this.#nodes = solid ? solid.nodes.length / 3 : 0;
     this.#report = this.#heap.read(bodyReportRow, this.#wasm.body_report(this.#body));
     const { floor: _, height: __, volume, ...report } = this.#report;
-    return { vertices: this.#vertices, faces: faces.length / 3, volume: known(volume), ...report };
+    return { vertices: this.#vertices, faces: faces.length / 3, volume: known(volume), ...report, solid };
   }
 
   #setSolidMesh(positions: Float32Array, faces: Uint32Array, solid: BuiltSolid): void {
@@ -78,14 +85,16 @@ export class Core {
     return motion;
   }
 
-  drag({ targets, volume, restart }: DragInput): Frame {
+  drag({ targets, volume, restart }: DragInput): ShapedFrame {
     const begin = performance.now();
     this.#needControls();
     this.#heap.lend([targets], ([at]) => {
       this.#check(this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(restart)), { kind: "controls" });
     });
     return {
-      positions: this.#heap.floats(this.#wasm.body_positions(this.#body), 3 * this.#vertices),
+      shape: this.#nodes
+        ? this.#heap.floats(this.#wasm.body_maps(this.#body), 12 * this.#nodes)
+        : this.#heap.floats(this.#wasm.body_positions(this.#body), 3 * this.#vertices),
       volumeRatio: known(this.#wasm.body_volume_ratio(this.#body)),
       root: [0, 0, 0, 0],
       milliseconds: performance.now() - begin,
@@ -114,7 +123,7 @@ export class Core {
     }
   }
 
-  *frames(order: Uint32Array, emit: (frame: number, result: Frame) => void): Generator<number, void> {
+  *frames({ order, shaped }: FramesInput, emit: (frame: number, result: Frame | ShapedFrame) => void): Generator<number, void> {
     let made = 0;
     for (const frame of order) {
       const bake = this.#bake;
@@ -122,8 +131,12 @@ export class Core {
       const begin = performance.now();
       this.#check(this.#wasm.bake_frame(bake, frame), { kind: "frames" });
       const { position, yaw, volumeRatio } = this.#heap.read(bakeRootRow, this.#wasm.bake_root(bake));
-      const positions = this.#heap.floats(this.#wasm.bake_positions(bake), 3 * this.#vertices);
-      emit(frame, { positions, volumeRatio: known(volumeRatio), root: [...position, yaw], milliseconds: performance.now() - begin });
+      const array =
+        shaped && this.#nodes
+          ? this.#heap.floats(this.#wasm.bake_maps(bake), 12 * this.#nodes)
+          : this.#heap.floats(this.#wasm.bake_positions(bake), 3 * this.#vertices);
+      const rest = { volumeRatio: known(volumeRatio), root: [...position, yaw] as Frame["root"], milliseconds: performance.now() - begin };
+      emit(frame, shaped ? { shape: array, ...rest } : { positions: array, ...rest });
       yield ++made / order.length;
     }
   }

@@ -11,6 +11,7 @@ import type {
   Performance,
   RetargetInput,
   ShapeAnalysis,
+  ShapedFrame,
   ShapeInput,
 } from "./types";
 
@@ -26,6 +27,12 @@ export interface SetMeshInput {
   wasm: ArrayBuffer | null;
 }
 
+export interface FramesInput {
+  order: Uint32Array;
+  /** As they are drawn, instead of all vertices. */
+  shaped: boolean;
+}
+
 export interface ShapeAnalysisInput {
   mesh: ShapeInput;
   /** The bytes of shape-analysis.wasm. */
@@ -37,9 +44,9 @@ export interface Calls {
   analyseShape: { input: ShapeAnalysisInput; output: ShapeAnalysis };
   setControls: { input: ControlInput[]; output: void };
   setMotion: { input: MotionInput; output: Motion };
-  drag: { input: DragInput; output: Frame };
+  drag: { input: DragInput; output: ShapedFrame };
   retarget: { input: RetargetInput; output: Performance };
-  frames: { input: Uint32Array; output: void };
+  frames: { input: FramesInput; output: void };
 }
 
 export type CallName = keyof Calls;
@@ -54,6 +61,6 @@ export type Reply =
   | { type: "done"; id: number; value: unknown }
   | { type: "failed"; id: number; code: EngineErrorCode; message: string }
   | { type: "progress"; id: number; done: number }
-  | { type: "frame"; id: number; frame: number; result: Frame }
+  | { type: "frame"; id: number; frame: number; result: Frame | ShapedFrame }
   /** The last word of a worker: it cannot go on. */
   | { type: "lost"; message: string };

@@ -141,7 +141,7 @@ class Server {
         return yield* core.retarget(request.input);
       case "frames":
         return yield* core.frames(request.input, (frame, result) => {
-          this.#post({ type: "frame", id: request.id, frame, result }, [result.positions.buffer as ArrayBuffer]);
+          this.#post({ type: "frame", id: request.id, frame, result }, buffersOf(result));
         });
     }
   }
@@ -192,8 +192,6 @@ class Server {
 
 /** The arrays of an answer are the core's copies and go to the receiver. */
 function buffersOf(value: unknown): ArrayBuffer[] {
-  if (typeof value !== "object" || value === null) return [];
-  return Object.values(value)
-    .filter((item) => ArrayBuffer.isView(item))
-    .map((view) => view.buffer as ArrayBuffer);
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  return typeof value === "object" && value !== null ? Object.values(value).flatMap(buffersOf) : [];
 }

@@ -3,6 +3,7 @@
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
 import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, FileAxes, Solve } from "../util/constants";
+import type { SolidCells } from "../util/solid-cells";
 import type { ConstraintInput, ControlInput as CoreControl, Landmark } from "./abi";
 
 export { FPS } from "../util/constants";
@@ -22,17 +23,7 @@ export interface BoundMeshInput extends MeshInput {
   solve?: Solve;
 }
 
-/** The cells of a solid that carries a mesh: N nodes, E elements, V vertices. */
-export interface SolidCells {
-  /** Edge of an element, metres. */
-  cell: number;
-  /** N x 3, at rest, stage. */
-  nodes: Float32Array;
-  /** E x 8: the node at corner k, which lies (k & 1, k >> 1 & 1, k >> 2 & 1) cells from that at corner 0. */
-  elements: Int32Array;
-  /** V: the element that carries a vertex; -1: it stays. */
-  elementOf: Int32Array;
-}
+export type { SolidCells };
 
 export interface MeshReport {
   vertices: number;
@@ -45,6 +36,8 @@ export interface MeshReport {
   /** Vertices that no face uses. */
   isolatedVertices: number;
   degenerateFaces: number;
+  /** What carries it, where a solid is solved. */
+  solid: SolidCells | null;
 }
 
 export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
@@ -209,15 +202,25 @@ export interface Performance {
   milliseconds: number;
 }
 
-/** One deformed frame. */
-export interface Frame {
-  /** V x 3. Retargeted frames: world metres, on the ground. Dragged frames: body-local. The receiver owns it. */
-  positions: Float32Array;
+/** What is known of a deformed frame. */
+interface Deformed {
   /** Volume over rest volume; null for an open surface. */
   volumeRatio: number | null;
   /** World: x, y, z of the model's origin and yaw; zeros for a dragged frame. */
   root: [number, number, number, number];
   milliseconds: number;
+}
+
+/** One deformed frame. Retargeted: in world metres, on the ground. Dragged: body-local. The receiver owns its array. */
+export interface Frame extends Deformed {
+  /** V x 3. */
+  positions: Float32Array;
+}
+
+/** The same as it is drawn: where a solid carries the mesh, nothing of it is as large as the mesh. */
+export interface ShapedFrame extends Deformed {
+  /** V x 3 positions; or, of a solid, N x 12: rows of (B | b), by which a node takes what is around it from x to B x + b. */
+  shape: Float32Array;
 }
 
 export type EngineErrorCode =
@@ -257,14 +260,16 @@ export interface Engine {
   /** Reads a motion; on failure (bad_motion) the previous one stays. */
   setMotion(motion: MotionInput, options?: CallOptions): Promise<Motion>;
   /**
-   * Deforms towards C x 3 body-local targets from where the last drag left the surface. One slot: a newer drag rejects the older
+   * Deforms towards C x 3 body-local targets from where the last drag left the mesh. One slot: a newer drag rejects the older
    * with "superseded".
    */
-  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<Frame>;
+  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<ShapedFrame>;
   /** Solves the whole clip for the present mesh, controls and motion. */
   retarget(input: RetargetInput, options?: CallOptions): Promise<Performance>;
   /** Deforms frames of the last performance, in the order asked for, as each is ready. Depends on nothing but the inputs. */
   frames(order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions): Promise<void>;
+  /** The same frames as they are drawn. */
+  shapes(order: ArrayLike<number>, onShape: (frame: number, result: ShapedFrame) => void, options?: CallOptions): Promise<void>;
   /** Ends the worker; every pending call rejects with engine_lost. */
   close(): void;
 }

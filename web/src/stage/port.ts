@@ -3,13 +3,21 @@
 import type { GltfDocument } from "../gltf/document";
 import type { Drawn } from "../gltf/drawn";
 import type { JointName } from "../skeleton/body-parts";
+import type { SolidCells } from "../util/solid-cells";
 
 /** A model as drawn: its document, and where what that shows stands at rest, in stage metres and axes. */
 export interface DrawnModel extends Drawn {
   readonly document: GltfDocument;
   /** F x 3 over solver vertices, for picking and the ghost. */
   readonly faces: Uint32Array;
+  /** V x 3: the solver vertices at rest. */
+  readonly rest: Float32Array;
+  /** What carries those; null where they are told themselves. */
+  readonly solid: SolidCells | null;
 }
+
+/** How a model is shaped, in the world or its own place: V x 3 positions, or, where a solid carries it, N x 12 maps of its nodes. */
+export type Shape = Float32Array;
 
 export interface DrawnHuman {
   joints: readonly JointName[];
@@ -44,8 +52,8 @@ export interface StageLook {
   livePair: string | null;
   /** The human asks for a pose of the model: drawn in blue pencil. */
   asking: boolean;
-  /** Dashed ghost of a shape behind the model (V x 3 world). */
-  ghost: Float32Array | null;
+  /** Dashed ghost of a shape behind the model, world. */
+  ghost: Shape | null;
   /** A second line on the tag of the dot in the hand, such as the volume; "" for none. */
   note: string;
 }
@@ -81,8 +89,8 @@ export interface StagePort {
   on<K extends keyof StageEvents>(name: K, listener: (detail: StageEvents[K]) => void): () => void;
   /** Answers once the model can be seen; until then nothing of it is. */
   setModel(model: DrawnModel | null): Promise<void>;
-  /** V x 3 world; drawn at the next animation frame. */
-  setVertices(positions: Float32Array): void;
+  /** World; drawn at the next animation frame. */
+  setShape(shape: Shape): void;
   setHuman(human: DrawnHuman | null): void;
   /** J x 3 world metres. */
   setHumanPose(positions: Float32Array): void;
@@ -94,7 +102,7 @@ export interface StagePort {
   /** Where cards float over the stage, in CSS pixels; figures are framed in what is left. */
   setInsets(insets: Insets): void;
   fit(): void;
-  /** Small picture of a shape (V x 3 local or world), as a data URL. */
-  thumbnail(positions: Float32Array, size: number): string;
+  /** Small picture of a shape, local or world, as a data URL. */
+  thumbnail(shape: Shape, size: number): string;
   dispose(): void;
 }

@@ -4,7 +4,7 @@
 import { clipOf } from "../document/clips";
 import type { MeshRef, ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { CallOptions, Engine, Frame, MeshReport, Motion, MotionInput, Performance } from "../engine/types";
+import type { CallOptions, Engine, Frame, MeshReport, Motion, MotionInput, Performance, ShapedFrame } from "../engine/types";
 import type { SolverModel } from "./placement";
 import { controlInputs, meshInput, retargetInput, solveOf } from "./translate";
 
@@ -73,9 +73,12 @@ export class Binding {
     return performance;
   }
 
-  /** Frames of the dance that was solved last, in this order, as each is ready. */
+  /** Frames of the dance that was solved last, in this order, as each is ready; then the same as they are drawn. */
   frames(order: ArrayLike<number>, onFrame: (index: number, frame: Frame) => void, call: CallFor = QUIETLY): Promise<void> {
     return this.engine.frames(order, onFrame, call("Deforming"));
+  }
+  shapes(order: ArrayLike<number>, onShape: (index: number, frame: ShapedFrame) => void, call: CallFor = QUIETLY): Promise<void> {
+    return this.engine.shapes(order, onShape, call("Deforming"));
   }
 
   private async takeMesh({ mesh }: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {

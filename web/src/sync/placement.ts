@@ -2,7 +2,7 @@
 
 import { boundsOf, type StageTransform, stageOf } from "../document/stage-transform";
 import type { MeshRef } from "../document/types";
-import type { Frame } from "../engine/types";
+import type { ShapedFrame } from "../engine/types";
 import type { NamedJoint } from "./named-body";
 
 /** What of a model the solver knows; file units and axes. */
@@ -23,7 +23,7 @@ export function stageFor(model: SolverModel, mesh: MeshRef): StageTransform {
 }
 
 /** World position and yaw of the model's origin. */
-export type Root = Frame["root"];
+export type Root = ShapedFrame["root"];
 
 /** N x 3 body-local to world; a new array. */
 export function toWorld(positions: Float32Array, root: Root): Float32Array {
@@ -37,6 +37,24 @@ export function toWorld(positions: Float32Array, root: Root): Float32Array {
     out[i] = c * px + s * pz + x;
     out[i + 1] = positions[i + 1] + y;
     out[i + 2] = -s * px + c * pz + z;
+  }
+  return out;
+}
+
+/** N x 12 maps, rows of (B | b), body-local to world; a new array. */
+export function mapsToWorld(maps: Float32Array, root: Root): Float32Array {
+  const [x, y, z, yaw] = root;
+  const c = Math.cos(yaw);
+  const s = Math.sin(yaw);
+  const out = new Float32Array(maps);
+  for (let m = 0; m + 11 < maps.length; m += 12) {
+    for (let k = m; k < m + 4; k++) {
+      out[k] = c * maps[k] + s * maps[k + 8];
+      out[k + 8] = -s * maps[k] + c * maps[k + 8];
+    }
+    out[m + 3] += x;
+    out[m + 7] += y;
+    out[m + 11] += z;
   }
   return out;
 }

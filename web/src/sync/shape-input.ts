@@ -1,6 +1,6 @@
 // What an engine is told of a model that is to be understood. Pure.
 
-import { boundsOf } from "../document/stage";
+import { boundsOf } from "../document/stage-transform";
 import type { ShapeInput } from "../engine/types";
 import { fileAxes } from "./file-axes";
 import { readNamedBody } from "./named-body";

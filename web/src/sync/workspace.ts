@@ -3,12 +3,15 @@
 
 import type { ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
-import type { CallOptions, Engine, Frame, MeshReport, Motion, Performance, ShapeAnalysis } from "../engine/types";
+import type { CallOptions, Engine, Frame, MeshReport, Motion, Performance, ShapeAnalysis, ShapedFrame } from "../engine/types";
 import { Emitter } from "../util/emitter";
 import { Binding, sameMesh, type Parts, type TakenMesh, type TakenMotion } from "./binding";
 import { FrameCache } from "./frame-cache";
 import { Library } from "./library";
 import type { SolverModel } from "./placement";
+
+/** Frames that are asked for at once: where the playhead is counts for the next. */
+const PORTION = 60;
 
 export interface WorkspaceEvents {
   /** The engine holds the document's mesh now. */
@@ -46,6 +49,8 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   private abort = new AbortController();
   /** A solve and its first frame are let finish, or steady changes would starve them. */
   private interruptible = true;
+  private running = false;
+  private baking = false;
   private held = false;
   private focusFrame = 0;
   private closed = false;
@@ -103,7 +108,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   }
 
   /** Deforms body-locally towards C x 3 targets. Rejects with "superseded" when a newer drag overtakes it. */
-  drag(targets: Float32Array, restart: boolean): Promise<Frame> {
+  drag(targets: Float32Array, restart: boolean): Promise<ShapedFrame> {
     return this.binding.engine.drag(targets, { volume: this.document().settings.volume, restart });
   }
 
@@ -111,7 +116,39 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   focus(frame: number): void {
     const jumped = Math.abs(frame - this.focusFrame) > 4;
     this.focusFrame = frame;
-    if (jumped && !this.held && this.cache.staleCount > 0 && !this.cache.isFresh(frame) && this.interruptible) void this.sync();
+    if (!this.cache.follow(frame) || this.held || !this.interruptible) return;
+    if (this.running ? this.baking && jumped && !this.cache.isFresh(frame) : this.performance !== null) void this.sync();
+  }
+
+  /**
+   * Every frame of the present dance by its vertices, as files hold them; what plays waits for it. Rejects with EngineError:
+   * cancelled, or what the document asks for cannot be done.
+   */
+  vertexFrames(call: CallOptions): Promise<Frame[]> {
+    this.abort.abort();
+    const result = this.chain.then(async () => {
+      const frames: Frame[] = [];
+      await this.recovering(async () => {
+        const document = this.document();
+        const signal = call.signal ?? new AbortController().signal;
+        await this.binding.take(document, this.partsOf(document), () => ({ signal }));
+        this.announce();
+        await this.solve(document, signal);
+        const order = Array.from({ length: this.performance?.frames ?? 0 }, (_, f) => f);
+        await this.binding.frames(
+          order,
+          (index, frame) => (frames[index] = frame),
+          () => call,
+        );
+      });
+      return frames;
+    });
+    const goOn = (): void => {
+      this.interruptible = true;
+      void this.sync();
+    };
+    this.chain = result.then(goOn, goOn);
+    return result;
   }
 
   /** Stops baking while the hand needs the engine. */
@@ -134,6 +171,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   private async run(): Promise<void> {
     if (this.closed) return;
     this.abort = new AbortController();
+    this.running = true;
     this.emit("busy", true);
     try {
       await this.recovering(() => this.step(this.document(), this.abort.signal));
@@ -142,6 +180,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       if (error.code !== "cancelled" && error.code !== "superseded" && !this.closed) this.emit("failed", error);
     } finally {
       this.interruptible = true;
+      this.running = false;
       if (!this.queued) this.emit("busy", false);
     }
   }
@@ -206,9 +245,8 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   }
 
   private async bake(signal: AbortSignal): Promise<void> {
-    if (this.held || this.cache.staleCount === 0) return;
     let first = true;
-    const onFrame = (index: number, frame: Frame): void => {
+    const onFrame = (index: number, frame: ShapedFrame): void => {
       this.cache.put(index, frame);
       this.emit("frame", index);
       if (first && !this.interruptible) {
@@ -217,6 +255,14 @@ export class Workspace extends Emitter<WorkspaceEvents> {
         if (this.queued || this.held) this.abort.abort();
       }
     };
-    await this.binding.frames(this.cache.todo(this.focusFrame), onFrame, () => ({ signal }));
+    this.baking = true;
+    try {
+      while (!this.held && this.cache.staleCount > 0) {
+        const next = this.cache.todo(this.focusFrame).slice(0, PORTION);
+        await this.binding.shapes(next, onFrame, () => ({ signal }));
+      }
+    } finally {
+      this.baking = false;
+    }
   }
 }

@@ -46,7 +46,7 @@ export function debugPage(session: Session): DebugPage {
     get stale() {
       return workspace.cache.staleCount;
     },
-    vertices: (frame) => workspace.cache.at(frame)?.positions.slice() ?? null,
+    vertices: (frame) => context.verticesAt(frame),
     human: (frame) => {
       const { motion } = workspace;
       if (!motion) return null;

@@ -6,20 +6,20 @@ import { ModelFigure } from "./model-figure";
 import { HUMAN_WIDTH, type Scenery } from "./scenery";
 import type { SurfacePicker } from "./surface-picker";
 import type { Theme } from "./theme";
-import type { DrawnHuman, DrawnModel } from "../stage/port";
+import type { DrawnHuman, DrawnModel, Shape } from "../stage/port";
 
 export class Figures {
   model: ModelFigure | null = null;
   picker: SurfacePicker | null = null;
   mannequin: Mannequin | null = null;
-  /** V x 3 world, or null. */
-  ghost: Float32Array | null = null;
+  /** World. */
+  ghost: Shape | null = null;
   private asking = false;
   private human: DrawnHuman | null = null;
-  private nextVertices: Float32Array | null = null;
+  private nextShape: Shape | null = null;
   private nextPose: Float32Array | null = null;
   private viewSize: [number, number] = [1, 1];
-  private rays: typeof SurfacePicker | null = null;
+  private rays: typeof import("./surface-picker") | null = null;
   /** On its way from the beginning: the first model waits for it. */
   private readonly looks = import("./look");
 
@@ -43,12 +43,12 @@ export class Figures {
     if (this.model) lane.group.remove(this.model.group);
     this.model?.dispose();
     this.model = model && new ModelFigure(model);
-    this.makePicker();
-    this.nextVertices = this.model?.rest ?? null;
+    void this.makePicker();
+    this.nextShape = this.model?.body.rest ?? null;
     this.ghost = null;
     if (this.model) lane.group.add(this.model.group);
     lane.shadow.mesh.visible = this.model !== null;
-    this.scenery.setWidth(lane, this.model ? modelWidth(this.model.rest) : 0);
+    this.scenery.setWidth(lane, this.model ? modelWidth(this.model.body.outline(this.model.shape)) : 0);
     return this.model;
   }
 
@@ -67,21 +67,21 @@ export class Figures {
 
   /** Rays can be cast from now on; answers once they can. */
   async loadRays(): Promise<void> {
-    this.rays = (await import("./surface-picker")).SurfacePicker;
-    this.makePicker();
+    this.rays = await import("./surface-picker");
+    await this.makePicker();
   }
 
-  setVertices(vertices: Float32Array): void {
-    this.nextVertices = vertices;
+  setShape(shape: Shape): void {
+    this.nextShape = shape;
   }
 
   setPose(pose: Float32Array): void {
     this.nextPose = pose;
   }
 
-  setGhost(vertices: Float32Array | null): void {
-    this.ghost = vertices;
-    this.model?.setGhost(vertices, this.theme);
+  setGhost(shape: Shape | null): void {
+    this.ghost = shape;
+    this.model?.setGhost(shape && this.model.body.takes(shape) ? shape : null, this.theme);
     this.model?.setViewSize(...this.viewSize);
   }
 
@@ -109,13 +109,13 @@ export class Figures {
 
   /** Draws what arrived since the last frame and says what it was. */
   take(): { surface: boolean; pose: boolean } {
-    const { model, mannequin, nextVertices, nextPose, scenery } = this;
-    const surface = model !== null && nextVertices !== null && nextVertices.length >= model.rest.length;
+    const { model, mannequin, nextShape, nextPose, scenery } = this;
+    const surface = model !== null && nextShape !== null && model.body.takes(nextShape);
     const pose = mannequin !== null && nextPose !== null;
     if (surface) {
-      model.setVertices(nextVertices);
-      this.picker?.setVertices(nextVertices);
-      standOn(scenery.model, nextVertices);
+      model.setShape(nextShape);
+      this.picker?.setShape(nextShape);
+      standOn(scenery.model, model.body.outline(nextShape));
     }
     if (pose) {
       mannequin.setPose(nextPose);
@@ -124,13 +124,13 @@ export class Figures {
       scenery.human.shadow.mesh.visible = true;
       mannequin.darken(scenery.human.shadow);
     }
-    this.nextVertices = this.nextPose = null;
+    this.nextShape = this.nextPose = null;
     return { surface, pose };
   }
 
   /** Model world. */
   vertex(vertex: number, out: Vector3): Vector3 {
-    return this.model ? out.fromArray(this.model.vertices, 3 * vertex) : out.set(0, 0, 0);
+    return this.model ? out.fromArray(this.model.vertex(vertex)) : out.set(0, 0, 0);
   }
 
   /** Scene. */
@@ -143,10 +143,15 @@ export class Figures {
     return this.human?.joints[joint]?.label ?? "Joint";
   }
 
-  private makePicker(): void {
+  private async makePicker(): Promise<void> {
+    const { model, rays } = this;
     this.picker?.dispose();
-    this.picker = this.model && this.rays && new this.rays(this.model.rest, this.model.model.faces);
-    if (this.model) this.picker?.setVertices(this.model.vertices);
+    this.picker = null;
+    if (!model || !rays) return;
+    const picker = await rays.makePicker(model.model, model.body);
+    if (this.model !== model) return;
+    picker.setShape(model.shape);
+    this.picker = picker;
   }
 
   dispose(): void {
@@ -176,7 +181,7 @@ function modelWidth(rest: Float32Array): number {
   return Math.max(0.6, extent(0), 0.8 * extent(2));
 }
 
-/** Finds where a model is and darkens the ground under its lowest vertices. */
+/** Finds where a model is and darkens the ground under its lowest places. */
 function standOn(lane: Scenery["model"], vertices: Float32Array): void {
   const {
     shadow,

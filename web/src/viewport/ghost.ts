@@ -2,8 +2,6 @@
 
 import {
   BackSide,
-  BufferAttribute,
-  BufferGeometry,
   Color,
   DoubleSide,
   Group,
@@ -15,6 +13,8 @@ import {
   ShaderMaterial,
   Vector2,
 } from "three";
+import type { Shape } from "../stage/port";
+import type { GhostBody } from "./body";
 import type { Theme } from "./theme";
 
 export class Ghost {
@@ -27,8 +27,10 @@ export class Ghost {
     vertexShader: `
       uniform vec2 view;
       void main() {
-        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-        vec2 out_ = (projectionMatrix * modelViewMatrix * vec4(normal, 0.0)).xy;
+        #include <beginnormal_vertex>
+        #include <begin_vertex>
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(transformed, 1.0);
+        vec2 out_ = (projectionMatrix * modelViewMatrix * vec4(normalize(objectNormal), 0.0)).xy;
         gl_Position.xy += normalize(out_ * view + 1e-6) * 3.0 / view * gl_Position.w;
       }`,
     fragmentShader: `
@@ -40,15 +42,13 @@ export class Ghost {
       }`,
   });
 
-  private readonly geometry = new BufferGeometry();
-
-  /** `faces`: F x 3 over solver vertices; their smooth normals lead the edge outwards without a gap. */
-  constructor(faces: Uint32Array) {
-    this.geometry.setIndex(new BufferAttribute(faces, 1));
-    const edge = new Mesh(this.geometry, this.edge);
-    const fill = new Mesh(this.geometry, this.fill);
+  /** The body's smooth normals lead the edge outwards without a gap. */
+  constructor(private readonly body: GhostBody) {
+    const edge = new Mesh(body.geometry, this.edge);
+    const fill = new Mesh(body.geometry, this.fill);
     const materials: Material[] = [this.edge, this.fill];
     for (const material of materials) {
+      body.dress(material);
       material.depthTest = material.depthWrite = material.toneMapped = false;
       material.stencilWrite = true;
       material.stencilRef = 1;
@@ -63,10 +63,9 @@ export class Ghost {
     this.group.add(fill, edge);
   }
 
-  /** V x 3, which stay the caller's. */
-  write(vertices: Float32Array): void {
-    this.geometry.setAttribute("position", new BufferAttribute(vertices, 3));
-    this.geometry.computeVertexNormals();
+  /** The shape stays the caller's. */
+  write(shape: Shape): void {
+    this.body.write(shape);
   }
 
   setTheme(theme: Theme): void {
@@ -79,7 +78,7 @@ export class Ghost {
   }
 
   dispose(): void {
-    this.geometry.dispose();
+    this.body.dispose();
     this.fill.dispose();
     this.edge.dispose();
   }

@@ -1,35 +1,32 @@
 // The model: a mesh for each instance of its document, and the ghost behind it.
 
 import { BufferAttribute, Group, type InterleavedBufferAttribute, Mesh, MeshStandardMaterial } from "three";
-import { bindNormals, type NormalBinding } from "../gltf/surface-normals";
-import type { DrawnModel } from "../stage/port";
+import type { DrawnModel, Shape } from "../stage/port";
+import type { Body } from "./body";
+import { CarriedBody } from "./carried-body";
 import { Ghost } from "./ghost";
 import type { Look } from "./look";
-import { Shape } from "./shape";
 import type { Theme } from "./theme";
+import { VertexBody } from "./vertex-body";
 
 const CLAY = "#e4d2bf";
 
 export class ModelFigure {
   readonly group = new Group();
+  readonly body: Body;
   /** By instance of the model: its render vertices begin at the instance's `first`. Not seen before they have a look. */
   readonly meshes: readonly Mesh[];
-  /** V x 3, rest, stage metres. */
-  readonly rest: Float32Array;
-  /** V x 3, what is drawn now. */
-  vertices: Float32Array;
-  private readonly normals: NormalBinding;
-  private readonly shape: Shape;
+  /** What is drawn now. */
+  shape: Shape;
   private readonly bodies = new Group();
+  private readonly place = new Float32Array(3);
   private ghost: Ghost | null = null;
   private look: Look | null = null;
 
   constructor(readonly model: DrawnModel) {
-    this.rest = restVertices(model);
-    this.vertices = this.rest;
-    this.normals = bindNormals(this.rest, model);
-    this.shape = new Shape(model, this.normals);
-    this.meshes = this.shape.geometries.map((geometry) => {
+    this.body = model.solid ? new CarriedBody(model, model.solid) : new VertexBody(model);
+    this.shape = this.body.rest;
+    this.meshes = this.body.geometries.map((geometry) => {
       const mesh = new Mesh(geometry);
       mesh.castShadow = mesh.receiveShadow = true;
       mesh.frustumCulled = false;
@@ -47,24 +44,31 @@ export class ModelFigure {
     this.meshes.forEach((mesh, i) => {
       mesh.material = look?.materials[i] ?? clay ?? mesh.material;
       this.lay(mesh, i);
+      this.body.dress(mesh);
     });
     this.bodies.visible = true;
   }
 
-  setVertices(vertices: Float32Array): void {
-    this.vertices = vertices;
-    this.shape.write(vertices);
+  setShape(shape: Shape): void {
+    this.shape = shape;
+    this.body.write(shape);
   }
 
-  setGhost(vertices: Float32Array | null, theme: Theme): void {
-    if (vertices && !this.ghost) {
-      this.ghost = new Ghost(this.model.faces);
+  /** Where a vertex is drawn now; three numbers, kept until the next call. */
+  vertex(vertex: number): Float32Array {
+    this.body.places(this.shape, [vertex], this.place);
+    return this.place;
+  }
+
+  setGhost(shape: Shape | null, theme: Theme): void {
+    if (shape && !this.ghost) {
+      this.ghost = new Ghost(this.body.ghost());
       this.ghost.setTheme(theme);
       this.group.add(this.ghost.group);
     }
     if (this.ghost) {
-      this.ghost.group.visible = vertices !== null;
-      if (vertices) this.ghost.write(vertices);
+      this.ghost.group.visible = shape !== null;
+      if (shape) this.ghost.write(shape);
     }
   }
 
@@ -76,38 +80,28 @@ export class ModelFigure {
     this.ghost?.setViewSize(width, height);
   }
 
-  /** A second surface that looks as the first does now, for thumbnails. */
-  copy(): { shape: Shape; meshes: Mesh[] } {
-    const shape = new Shape(this.model, this.normals);
-    const meshes = shape.geometries.map((geometry, i) => {
-      const mesh = this.lay(new Mesh(geometry, this.meshes[i]!.material), i);
+  /** The same once more, for thumbnails: it looks and stands as this one does. */
+  copy(): Mesh[] {
+    return this.meshes.map(({ geometry, material }) => {
+      const mesh = new Mesh(geometry, material);
       mesh.frustumCulled = false;
       return mesh;
     });
-    return { shape, meshes };
   }
 
   dispose(): void {
-    this.shape.dispose();
+    this.body.dispose();
     this.ghost?.dispose();
     this.look?.dispose();
   }
 
   /** Lays colours and pictures' places on a mesh's vertices. */
-  private lay(mesh: Mesh, instance: number): Mesh {
+  private lay(mesh: Mesh, instance: number): void {
     const { vertices } = this.model.instances[instance]!;
     for (const [name, attribute] of Object.entries(this.look?.attributes[instance] ?? {})) {
       mesh.geometry.setAttribute(name, vertices ? picked(attribute, vertices) : attribute);
     }
-    return mesh;
   }
-}
-
-function restVertices(model: DrawnModel): Float32Array {
-  const count = model.toVertex.reduce((most, v) => Math.max(most, v), -1) + 1;
-  const rest = new Float32Array(3 * count);
-  model.toVertex.forEach((v, r) => rest.set(model.positions.subarray(3 * r, 3 * r + 3), 3 * v));
-  return rest;
 }
 
 /** An attribute of some of the vertices. */

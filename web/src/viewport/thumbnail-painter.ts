@@ -4,8 +4,8 @@
 import { Group, PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from "three";
 import { AZIMUTH, FIELD_OF_VIEW } from "./framing";
 import { Lights } from "./lights";
+import type { Shape } from "../stage/port";
 import type { ModelFigure } from "./model-figure";
-import type { Shape } from "./shape";
 
 export class ThumbnailPainter {
   private readonly scene = new Scene();
@@ -13,7 +13,7 @@ export class ThumbnailPainter {
   private readonly lights = new Lights();
   private readonly holder = new Group();
   private readonly canvas = document.createElement("canvas");
-  private shape: Shape | null = null;
+  private figure: ModelFigure | null = null;
 
   constructor(private readonly renderer: WebGLRenderer) {
     this.scene.add(this.lights.group, this.holder);
@@ -21,10 +21,8 @@ export class ThumbnailPainter {
 
   setModel(figure: ModelFigure | null): void {
     this.holder.clear();
-    this.shape?.dispose();
-    const copy = figure?.copy();
-    this.shape = copy?.shape ?? null;
-    if (copy) this.holder.add(...copy.meshes);
+    this.figure = figure;
+    if (figure) this.holder.add(...figure.copy());
   }
 
   setDark(dark: boolean): void {
@@ -32,10 +30,22 @@ export class ThumbnailPainter {
   }
 
   /** A data URL of a square with a clear ground, `size` CSS pixels wide at the screen's own density; "" without a model. */
-  draw(vertices: Float32Array, size: number): string {
-    if (!this.shape || vertices.length === 0) return "";
-    this.shape.write(vertices);
-    this.aim(vertices);
+  draw(shape: Shape, size: number): string {
+    const { figure } = this;
+    if (!figure?.body.takes(shape)) return "";
+    const stands = figure.shape;
+    figure.setShape(shape);
+    this.aim(figure.body.outline(shape));
+    const picture = this.picture(size);
+    figure.setShape(stands);
+    return picture;
+  }
+
+  dispose(): void {
+    this.lights.dispose();
+  }
+
+  private picture(size: number): string {
     const { renderer, canvas } = this;
     const ratio = renderer.getPixelRatio();
     const pixels = Math.round(size * ratio);
@@ -54,11 +64,6 @@ export class ThumbnailPainter {
     context.imageSmoothingQuality = "high";
     context.drawImage(source, 0, source.height - drawn, drawn, drawn, 0, 0, pixels, pixels);
     return canvas.toDataURL();
-  }
-
-  dispose(): void {
-    this.shape?.dispose();
-    this.lights.dispose();
   }
 
   /** From the stage's side, so near that the whole pose just fits. */

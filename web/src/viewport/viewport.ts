@@ -1,6 +1,6 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
-import type { DrawnHuman, DrawnModel, Insets, PointMark, StageEvents, StageLook, StagePort } from "../stage/port";
+import type { DrawnHuman, DrawnModel, Insets, PointMark, Shape, StageEvents, StageLook, StagePort } from "../stage/port";
 import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
 import { CameraRig } from "./camera-rig";
@@ -90,8 +90,8 @@ export class Viewport implements StagePort {
     this.invalidate();
   }
 
-  setVertices(positions: Float32Array): void {
-    this.figures.setVertices(positions);
+  setShape(shape: Shape): void {
+    this.figures.setShape(shape);
     this.movedAt = performance.now();
     this.invalidate();
   }
@@ -144,9 +144,9 @@ export class Viewport implements StagePort {
     this.invalidate();
   }
 
-  thumbnail(positions: Float32Array, size: number): string {
+  thumbnail(shape: Shape, size: number): string {
     if (this.lost) return "";
-    const url = this.thumbnails.draw(positions, size);
+    const url = this.thumbnails.draw(shape, size);
     // The canvas now shows the little picture. A slow machine may present it before the next tick: draw the stage again at once.
     const stale = this.pictureStale;
     this.draw();

@@ -24,7 +24,7 @@ test("a grab stops the dance and says where; a drop hands over what the hand ask
   expect(told).toEqual(["selection", "drag"]);
   const drag = hand.active!;
   expect(drag).toMatchObject({ id: "left-arm", index: 2, frame: 5, wasPlaying: true });
-  expect(drag.before).toBe(context.workspace.cache.at(5)?.positions);
+  expect(drag.before).toBe(context.workspace.cache.at(5)?.shape);
   const [x, y, z] = toWorld(drag.base.subarray(6, 9), drag.root);
   hand.move([x + 0.1, y + 0.2, z]);
   await expect.poll(() => drag.shape).not.toBeNull();

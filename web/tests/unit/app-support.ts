@@ -15,7 +15,7 @@ import { EngineClient } from "../../src/engine/client";
 import { channelWorker } from "../../src/engine/node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
-import type { StageEvents, StageLook, StagePort } from "../../src/stage/port";
+import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
 import { Emitter } from "../../src/util/emitter";
 
 const ASSETS = new URL("../../assets/", import.meta.url);
@@ -72,7 +72,7 @@ export class Clock implements ClockPort {
 export class PaperStage extends Emitter<StageEvents> implements StagePort {
   model: Parameters<StagePort["setModel"]>[0] = null;
   human: Parameters<StagePort["setHuman"]>[0] = null;
-  vertices: Float32Array | null = null;
+  shape: Shape | null = null;
   humanPose: Float32Array | null = null;
   points: Parameters<StagePort["setPoints"]>[0] = [];
   selected: string | null = null;
@@ -84,9 +84,9 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
     this.told.push("model");
     this.model = model;
   }
-  setVertices(positions: Float32Array): void {
-    this.told.push("vertices");
-    this.vertices = positions;
+  setShape(shape: Shape): void {
+    this.told.push("shape");
+    this.shape = shape;
   }
   setHuman(human: PaperStage["human"]): void {
     this.told.push("human");
@@ -112,8 +112,8 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   fit(): void {
     this.told.push("fit");
   }
-  thumbnail(positions: Float32Array, size: number): string {
-    return `picture of ${positions.length / 3} at ${size}, ${positions.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
+  thumbnail(shape: Shape, size: number): string {
+    return `picture of ${shape.length / 3} at ${size}, ${shape.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
   }
   dispose(): void {
     this.told.push("dispose");
@@ -209,7 +209,7 @@ export async function dancingSession(): Promise<{ session: Session; stage: Paper
   const stage = new PaperStage();
   await session.start(() => stage);
   await danced(session.context);
-  await expect.poll(() => stage.vertices).not.toBeNull();
+  await expect.poll(() => stage.shape).not.toBeNull();
   return { session, stage, ports };
 }
 

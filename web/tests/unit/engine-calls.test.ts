@@ -93,7 +93,7 @@ describe("drags", () => {
     const [first, second] = await Promise.all(drags.slice(0, 2).map(refusal));
     expect([first?.code, second?.code]).toEqual(["superseded", "superseded"]);
     const newest = await drags[2];
-    expect(newest?.positions[3 * 73]).toBeCloseTo(0.3, 6);
+    expect(newest?.shape[3 * 73]).toBeCloseTo(0.3, 6);
     expect(retargeted).toBe(false);
     await running;
   });
@@ -103,7 +103,7 @@ describe("drags", () => {
     const controls = postControls(mesh);
     const bound = [engine.setMesh(mesh), engine.setControls(controls)];
     const frame = await engine.drag(restControls(mesh, controls), { volume: 1 });
-    expect(frame.positions.length).toBe(mesh.positions.length);
+    expect(frame.shape.length).toBe(mesh.positions.length);
     await Promise.all(bound);
   });
 });
@@ -157,7 +157,7 @@ describe("what cannot be used is refused by name, and what was there stays", () 
     expect((await refusal(engine.setMesh({ positions, faces: mesh.faces }))).message).toMatch(/^Point 21 of the model/);
     expect((await refusal(engine.setMesh({ positions: positions.slice(1), faces: mesh.faces }))).code).toBe("bad_mesh");
     const frame = await engine.drag(restControls(mesh, postControls(mesh)), { volume: 1 });
-    expect(frame.positions.length).toBe(mesh.positions.length);
+    expect(frame.shape.length).toBe(mesh.positions.length);
   });
 
   test("controls", async () => {
@@ -182,7 +182,7 @@ describe("what cannot be used is refused by name, and what was there stays", () 
         )
       ).code,
     ).toBe("bad_controls");
-    expect((await engine.drag(targets, { volume: 1 })).positions.every(Number.isFinite)).toBe(true);
+    expect((await engine.drag(targets, { volume: 1 })).shape.every(Number.isFinite)).toBe(true);
   });
 
   test("examples and pairs", async () => {

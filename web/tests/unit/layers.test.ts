@@ -13,7 +13,7 @@ const base = ["util", "skeleton", "document", "engine"];
 const below: Record<string, string[]> = {
   util: [],
   gltf: ["util"],
-  stage: ["skeleton", "gltf"],
+  stage: ["util", "skeleton", "gltf"],
   skeleton: ["util"],
   engine: ["util"],
   document: ["util"],

@@ -68,7 +68,7 @@ test("the page and the command line get the same frames, to the bit", async () =
   while (workspace.cache.staleCount > 0);
   expect(workspace.cache.length).toBe(20);
   baked.frames.forEach(({ positions, root }, f) => {
-    expect(workspace.cache.at(f)?.positions).toEqual(positions);
+    expect(workspace.cache.at(f)?.shape).toEqual(positions);
     expect(workspace.cache.at(f)?.root).toEqual(root);
   });
 });

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import type { Frame } from "../../src/engine/types";
+import type { ShapedFrame } from "../../src/engine/types";
 import { FrameCache } from "../../src/sync/frame-cache";
 
-const frame = (value: number): Frame => ({
-  positions: Float32Array.of(value, value, value),
+const frame = (value: number): ShapedFrame => ({
+  shape: Float32Array.of(value, value, value),
   volumeRatio: 1,
   root: [0, 0, 0, 0],
   milliseconds: 1,
@@ -24,10 +24,10 @@ test("after a new solve of the same length the old frames stay to be shown", () 
   expect(cache.staleCount).toBe(0);
   cache.expire(3);
   expect(cache.staleCount).toBe(3);
-  expect(cache.at(1)?.positions[0]).toBe(1);
+  expect(cache.at(1)?.shape[0]).toBe(1);
   expect(cache.isFresh(1)).toBe(false);
   cache.put(1, frame(10));
-  expect(cache.at(1)?.positions[0]).toBe(10);
+  expect(cache.at(1)?.shape[0]).toBe(10);
   expect(cache.isFresh(1)).toBe(true);
 });
 
@@ -50,7 +50,7 @@ test("while a frame is missing the nearest one stands in, the earlier first", ()
   expect(cache.nearest(2)).toBeUndefined();
   cache.put(1, frame(1));
   cache.put(5, frame(5));
-  expect(cache.nearest(2)?.positions[0]).toBe(1);
-  expect(cache.nearest(3)?.positions[0]).toBe(1);
-  expect(cache.nearest(4)?.positions[0]).toBe(5);
+  expect(cache.nearest(2)?.shape[0]).toBe(1);
+  expect(cache.nearest(3)?.shape[0]).toBe(1);
+  expect(cache.nearest(4)?.shape[0]).toBe(5);
 });

@@ -52,7 +52,7 @@ afterEach(() => workspace.close());
 async function danced(): Promise<Float32Array[]> {
   do await workspace.sync();
   while (workspace.cache.staleCount > 0);
-  return Array.from({ length: workspace.cache.length }, (_, f) => workspace.cache.at(f)?.positions ?? new Float32Array(0));
+  return Array.from({ length: workspace.cache.length }, (_, f) => workspace.cache.at(f)?.shape ?? new Float32Array(0));
 }
 
 test("a document is bound, solved and baked; nothing is done again without need", async () => {
@@ -140,7 +140,7 @@ test("a drag deforms towards the hand", async () => {
   targets[1] += 0.2;
   workspace.hold();
   const frame = await workspace.drag(targets, true);
-  expect(frame.positions.length).toBe(3 * (workspace.report?.vertices ?? 0));
-  expect(frame.positions.every(Number.isFinite)).toBe(true);
+  expect(frame.shape.length).toBe(3 * (workspace.report?.vertices ?? 0));
+  expect(frame.shape.every(Number.isFinite)).toBe(true);
   workspace.release();
 });
