@@ -36,15 +36,17 @@ Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, Shape
     const auto near = [&](const Vec3<S>& other) { return (other - tip).norm() < S(0.1) * diagonal; };
     if (!std::any_of(tips.begin(), tips.end(), near)) tips.push_back(tip);
   }
-  found.plane = detail::SymmetryFinder<S>(samples).best(
-      tips, file == FileAxes::y_up_by_rule ? Vec3<S>(Vec3<S>::UnitX()) : Vec3<S>(Vec3<S>::Zero()));
+  const detail::SymmetryFinder<S> symmetry(samples);
   if (posture != nullptr) {
     found.posture = *posture;
   } else {
+    found.plane = symmetry.best(tips, file == FileAxes::y_up_by_rule ? Vec3<S>(Vec3<S>::UnitX()) : Vec3<S>::Zero());
     const detail::PostureGuess<S> guess = detail::guess_posture<S>(samples, tips, found.plane, file);
     found.posture = guess.posture;
     found.sure = guess.sure;
   }
+  if (posture != nullptr || std::abs(found.plane.normal.dot(found.posture.left)) < S(0.8))
+    found.plane = symmetry.across(found.posture.left);
   found.points = detail::BodyReader<S>(graph, average, found.posture, found.plane, landmarks).read();
   out = std::move(found);
   return {};

@@ -68,7 +68,10 @@ class NamedBodyReader {
     this.heads = joints.flatMap((_, j) => (this.isOfHead(j) ? [j] : []));
     const groups = new Map<string, number[]>();
     this.names.forEach(({ kind, side, which }, j) => {
-      if (side === null || (kind !== "arm" && kind !== "leg" && kind !== "wing")) return;
+      const { parent } = this.joints[j];
+      const above = parent === null ? null : this.names[parent].side;
+      // "PalmR.L": the ring finger's.
+      if (side === null || (above !== null && above !== side) || (kind !== "arm" && kind !== "leg" && kind !== "wing")) return;
       const key = `${kind} ${side} ${which}`;
       groups.set(key, [...(groups.get(key) ?? []), j]);
     });
@@ -189,6 +192,10 @@ class NamedBodyReader {
     };
     const arms = this.limbs.some(({ kind, which }, n) => (kind === "arm" || which === "front") && !onGround(n, 0.06));
     const hindEnds = mean(this.limbs.flatMap(({ kind, which }, n) => (kind === "leg" && which !== "front" ? [ends[n]] : [])));
+    const bases = (some: Limb["kind"]): Place[] => this.limbs.flatMap(({ kind, base }) => (kind === some ? [base] : []));
+    const [hips, shoulders] = [bases("leg"), bases("arm")];
+    const trunk = minus(mean(shoulders), mean(hips));
+    const level = dot(trunk, front) > dot(trunk, up);
     this.limbs.forEach((limb, n) => {
       const side = this.sideOf(limb, left);
       const { kind, which } = limb;
@@ -197,15 +204,13 @@ class NamedBodyReader {
         return;
       }
       const fore = kind === "arm" || which === "front";
-      const stands = onGround(n, 0.15);
+      const stands = onGround(n, 0.15) && (kind !== "arm" || level);
       const before = dot(minus(ends[n], hindEnds), front) > 0.12 * tall;
       if (fore && !(stands && before)) mark("hand", ends[n], side);
       else mark("foot", onGround(n, 0.15) ? grounded(ends[n]) : ends[n], side);
     });
-    const bases = (some: Limb["kind"]): Place[] => this.limbs.flatMap(({ kind, base }) => (kind === some ? [base] : []));
-    const [hips, shoulders] = [bases("leg"), bases("arm")];
     if (hips.length === 2) mark("hips", mean(hips));
-    if (hips.length === 2 && shoulders.length === 2) mark("chest", plus(mean(hips), minus(mean(shoulders), mean(hips)), 0.7));
+    if (hips.length === 2 && shoulders.length === 2) mark("chest", plus(mean(hips), trunk, 0.7));
     for (const j of this.heads) mark("head", this.at(j));
     this.names.forEach(({ kind }, j) => {
       if (kind !== "helper" && !this.heads.includes(j)) mark("tip", this.at(j));

@@ -45,7 +45,7 @@ class BodyReader {
     if (is_named(BodyRole::hand)) {
       for (const Landmark<S>& hand : named_)
         if (hand.role == BodyRole::hand) add(take(hand), BodyRole::hand, true, hand.side);
-    } else {
+    } else if (!is_named(BodyRole::foot)) {
       add_hands();
     }
     add(head_, BodyRole::head, true, 0);

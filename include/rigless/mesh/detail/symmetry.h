@@ -78,6 +78,9 @@ class SymmetryFinder {
     return best;
   }
 
+  // The one that fits best of those about across an axis. No allocation.
+  SymmetryPlane<S> across(const Vec3<S>& axis) const { return refined(measured(middle(), axis)); }
+
  private:
   Vec3<S> middle() const { return (box_.low + box_.high) / S(2); }
 
