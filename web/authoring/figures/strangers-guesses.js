@@ -7,7 +7,7 @@ import { extname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { createServer } from "vite";
-import { HOSTILE } from "../strangers/hostile.js";
+import { glbBytes, HOSTILE, objText } from "../strangers/hostile.js";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
 const { values: asked } = parseArgs({
@@ -108,7 +108,8 @@ for (const row of rows.filter(({ name }) => pattern.test(name))) {
 }
 for (const [name, make] of asked.hostile ? Object.entries(HOSTILE) : []) {
   if (!pattern.test(`hostile-${name}`)) continue;
-  const { positions, faces, truth, format, what } = make();
+  const made = make();
+  const { truth, format, what } = made;
   const count = (end) => Object.keys(truth.limbs).filter((key) => key.endsWith(end)).length;
   const limbs = Object.fromEntries(
     [
@@ -124,7 +125,9 @@ for (const [name, make] of asked.hostile ? Object.entries(HOSTILE) : []) {
     limbs: [],
     truth: { ...truth, limbs: { ...limbs, ...(count("foot") && { legs: count("foot") }) } },
   };
-  await judge(row, { name: `${name}.${format}`, positions: Float32Array.from(positions), faces });
+  const bytes = format === "glb" ? glbBytes(made) : new TextEncoder().encode(objText(made));
+  const { joints, ...model } = await readModel([{ name: `${name}.${format}`, bytes }]);
+  await judge(row, model);
 }
 const share = (n) => `${n} (${((100 * n) / tally.models).toFixed(0)} %)`;
 console.log(

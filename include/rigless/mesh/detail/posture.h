@@ -26,7 +26,7 @@ S usual_up(FileAxes file, const Vec3<S>& up) {
 
 template <class S>
 S usual_front(FileAxes file) {
-  return file == FileAxes::y_up_by_rule ? S(0.15) : file == FileAxes::unknown ? S(0.01) : S(0.04);
+  return file == FileAxes::y_up_by_rule ? S(0.25) : file == FileAxes::unknown ? S(0.01) : S(0.08);
 }
 
 // Axis k of 0 .. 5: +x, -x, +y, -y, +z, -z.
@@ -70,8 +70,34 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<
   return score;
 }
 
-// Above 0 if the body looks along `front`: its toes are before its shins, its head before its middle. One that is long,
-// low and narrow swims, crawls or flies, and tapers from its head to its tail, whatever fin stands up there.
+// Whether the top quarter is a tail held high: a small part of the body, and thin.
+template <class S>
+bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up) {
+  constexpr std::size_t slices = 8;
+  const Bounds<S> box = bounds(samples);
+  const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
+  std::array<Vec3<S>, slices> sum;
+  sum.fill(Vec3<S>::Zero());
+  std::array<S, slices> squares{}, count{};
+  S all = 0, spread = 0;
+  for (const Vec3<S>& p : samples) {
+    const S above = (up.dot(p) - low) / tall - S(0.75);
+    if (!(above > S(0))) continue;
+    const std::size_t k = std::min(slices - 1, static_cast<std::size_t>(above * S(4 * slices)));
+    const Vec3<S> flat = p - up.dot(p) * up;
+    sum[k] += flat;
+    squares[k] += flat.squaredNorm();
+    count[k] += S(1);
+    all += S(1);
+  }
+  for (std::size_t k = 0; k < slices; ++k)
+    if (count[k] > S(0)) spread += squares[k] - sum[k].squaredNorm() / count[k];
+  return all < S(0.055) * static_cast<S>(samples.size()) && spread < all * S(0.0016) * box.extent().squaredNorm();
+}
+
+// Above 0 if the body looks along `front`: its toes are before its shins, its head before its middle. One that stands
+// upright is told by its toes. One that is long, low and narrow swims, crawls or flies, and tapers from its head to its
+// tail, whatever fin stands up there.
 template <class S>
 S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& front) {
   const Bounds<S> box = bounds(samples);
@@ -89,7 +115,9 @@ S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& fro
     }
   }
   const auto mean = [&](std::size_t k) { return count[k] > S(0) ? sum[k] / count[k] : sum[3] / count[3]; };
-  S score = (mean(0) - mean(1)) / tall + (mean(2) - mean(3)) / std::max(length, tall);
+  const S toes = (mean(0) - mean(1)) / tall, top = (mean(2) - mean(3)) / std::max(length, tall);
+  if (length < S(0.8) * tall) return S(3) * toes + S(0.5) * top;
+  S score = toes + (ends_thin(samples, up) ? -top : top);
   const Vec3<S> across = up.cross(front).cwiseAbs();
   if (length > S(1.5) * tall && across.dot(box.extent()) < S(0.6) * length) {
     const S middle = across.dot(box.low + box.high) / S(2), back = std::min(front.dot(box.low), front.dot(box.high));
@@ -133,7 +161,9 @@ PostureGuess<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> t
   if (across < 0 || std::abs(posture.up[across]) > S(0.5)) across = std::abs(posture.up.x()) > S(0.5) ? 1 : 0;
   posture.front = posture.up.cross(Vec3<S>::Unit(across)).cwiseAbs();
   if (std::abs(posture.up.z()) > S(0.5)) posture.front = -posture.front;  // the front of a file whose z is up is -y
-  const S forward = forwardness(samples, posture.up, posture.front) + usual_front<S>(file);
+  const bool usual = std::abs(posture.front.x()) < S(0.5);
+  const S forward =
+      forwardness(samples, posture.up, posture.front) + usual_front<S>(usual ? file : FileAxes::unknown);
   if (forward < S(0)) posture.front = -posture.front;
   posture.left = posture.up.cross(posture.front);
   guess.sure = std::min({S(1), best - second, S(10) * std::abs(forward)});
