@@ -12,9 +12,9 @@ abi=$(node wasm/abi.mjs)
 flags=(-std=c++17 -DNDEBUG "-DRIGLESS_ABI=$abi" -DEIGEN_NO_IO -msimd128 -fno-exceptions -fno-rtti
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Wno-c++20-designator -Iinclude -isystem /usr/include/eigen3)
 link=(--no-entry -sALLOW_MEMORY_GROWTH=1 -sMALLOC=emmalloc -sFILESYSTEM=0)
-object() { em++ "${flags[@]}" "${@:2}" -c "wasm/$1.cpp" -o "$objects/$1.o"; }
+object() { em++ "${flags[@]}" "${@:2}" -c "wasm/$1.cpp" -o "$objects/$1.o" && echo "compiled wasm/$1.cpp"; }
 object memory -Oz
-analysis() { em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp wasm/solid.cpp "$objects/memory.o" "${link[@]}" -o "$objects/shape-analysis.wasm"; }
+analysis() { em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp wasm/solid.cpp "$objects/memory.o" "${link[@]}" -o "$objects/shape-analysis.wasm" && echo "compiled wasm/shape_analysis.cpp and wasm/solid.cpp"; }
 { object performance -O1 && object motion -Oz; } & motions=$!
 { object surface -O2 -mllvm -inline-threshold=25 -fno-vectorize -fno-slp-vectorize && analysis; } & surfaces=$!
 wait $motions

@@ -62,6 +62,18 @@ function copySpot(into: string): void {
     writeFileSync(join(into, basename(file)), sharedFile(file).bytes);
 }
 
+it("does what README.md says, as it is written there", async () => {
+  const readme = readFileSync(join(web, "../README.md"), "utf8");
+  const commands = [...readme.matchAll(/^node web\/cli\/rigless\.js (.+)$/gm)].map((match) => match[1].split(" "));
+  expect(commands).toHaveLength(2);
+  for (const args of commands) {
+    const run = await rigless(...args.map((arg) => (arg.includes("/") ? join(web, "..", arg) : arg)));
+    expect(run, run.stderr).toMatchObject({ code: 0 });
+    expect(readdirSync(folder)).toContain("dance.glb");
+    rmSync(join(folder, "dance.glb"));
+  }
+});
+
 describe("rigless bake", () => {
   it("makes a faultless GLB and a track of the cactus that comes with the page", async () => {
     const run = await rigless("bake", cactus, "--out", "dance.glb", "--track", "track.json");
