@@ -7,6 +7,8 @@ export default defineConfig({
   publicDir: false,
   assetsInclude: ["**/draco3dgltf/*.wasm"],
   ssr: { noExternal: true },
+  // Draco's decoder, a script of Node's old kind, asks where it lies although it is handed its binary.
+  define: { __dirname: '""' },
   build: {
     ssr: true,
     outDir: "dist-node",
