@@ -83,7 +83,7 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
   plays[performance].mirror_normal = {x, y, z};
 }
 
-// pairs: C; rest: C x 3, the controls at rest; limbs: C x 4, of body_limbs(), or 0; floor, height: of the mesh at rest;
+// pairs: C; rest: C x 3, the controls at rest; limbs: C x 5, of body_limbs(), or 0; floor, height: of the mesh at rest;
 // example_joints: N x J x 3 body-local metres, NaN where unknown; example_controls: N x C x 3. The motion must stay
 // until performance_progress() is 1.
 RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
@@ -96,8 +96,8 @@ RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHa
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
   const std::vector<Vec3d> places = widen(example_controls, examples * controls);
   std::vector<rigless::ModelLimb<double>> model_limbs;
-  for (const auto& [x, y, z, length] : view<std::array<float, 4>>(limbs, limbs == nullptr ? 0 : controls))
-    model_limbs.push_back({rigless::Vec3<float>(x, y, z).cast<double>(), static_cast<double>(length)});
+  for (const auto& [x, y, z, length, swing] : view<std::array<float, 5>>(limbs, limbs == nullptr ? 0 : controls))
+    model_limbs.push_back({Vec3d(x, y, z), static_cast<double>(length), static_cast<double>(swing)});
   rigless::PerformanceInput<double> input;
   input.motion = &staged;
   input.pairs = view<std::int32_t>(pairs, controls);

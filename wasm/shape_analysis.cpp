@@ -28,10 +28,9 @@ RIGLESS_EXPORT PackedStatus analyse_shape(const float* positions, std::int32_t v
   for (const Landmark& one : view<Landmark>(landmarks, landmark_count)) named.push_back(landmark(one));
   const auto known = view<rigless::Vec3<float>>(up_and_front, 2);
   const rigless::Posture<float> posture{known[0].cross(known[1]), known[0], known[1]};
-  return pack(rigless::analyse_shape<float>(view<rigless::Vec3<float>>(positions, vertices),
-                                            view<rigless::Face>(faces, face_count), analysis,
-                                            posture.left.isZero() ? nullptr : &posture,
-                                            static_cast<rigless::FileAxes>(file), named));
+  return pack(rigless::analyse_shape<float>(
+      view<rigless::Vec3<float>>(positions, vertices), view<rigless::Face>(faces, face_count), analysis,
+      posture.left.isZero() ? nullptr : &posture, static_cast<rigless::FileAxes>(file), named));
 }
 
 RIGLESS_EXPORT const Shape* shape() {

@@ -103,13 +103,14 @@ RIGLESS_EXPORT const float* body_rest_controls(ObjectHandle body) {
   return bodies[body].rest_controls().data()->data();
 }
 
-// C x 4: where the limb of a solid at whose tip a control lies leaves the trunk, and its length from there; 0: the
-// surface is solved. Kept until the next call.
+// C x 5: where the limb of a solid at whose tip a control lies leaves the trunk, its length from there, and its swing;
+// 0: the surface is solved. Kept until the next call.
 RIGLESS_EXPORT const float* body_limbs(ObjectHandle body) {
-  static std::vector<std::array<float, 4>> limbs;
+  static std::vector<std::array<float, 5>> limbs;
   limbs.clear();
   for (const auto& limb : bodies[body].limbs())
-    limbs.push_back({limb.base.x(), limb.base.y(), limb.base.z(), limb.length});
+    limbs.push_back(
+        {limb.base.x(), limb.base.y(), limb.base.z(), limb.length, static_cast<float>(bodies[body].swing(limb))});
   return limbs.empty() ? nullptr : limbs.data()->data();
 }
 

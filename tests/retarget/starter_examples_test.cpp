@@ -150,6 +150,14 @@ TEST_CASE("starter examples: a limb points where the human's does, whatever pose
   }
 }
 
+TEST_CASE("starter examples: a stump swings half way from how it rests") {
+  const Vec3<double> base(0.3, 1.2, 0);
+  const rigless::ModelLimb<double> stump = {base, 0.2, 0.5};
+  const std::vector<Vec3<double>> arm = {Vec3<double>(0.5, 1.2, 0)};
+  const Vec3<double> hanging = placed(standing(), {arm, 0, 1.7, {}, {&stump, 1}}, hand) - base;
+  CHECK((hanging - 0.2 * Vec3<double>(1, -1, 0).normalized()).norm() < 1e-9);
+}
+
 TEST_CASE(
     "starter examples: where the shape does not say, an arm begins where a human's would, and its elbow is on it") {
   std::vector<Vec3<double>> raised = standing();

@@ -54,6 +54,7 @@ template <class S>
 struct ModelLimb {
   Vec3<S> base = Vec3<S>::Zero();  // at rest, mesh-local
   S length = 0;                    // 0: not known
+  S swing = 1;                     // 1: it points where the human's does; less: so much from how it rests towards there
 };
 
 }  // namespace rigless

@@ -73,6 +73,8 @@ class Body {
 
   // C: the limb of the solid at whose tip each control lies; none where the surface is solved.
   Span<const detail::Limb<S>> limbs() const { return limbs_; }
+  // As ModelLimb has it: a stump swings half way.
+  double swing(const detail::Limb<S>& limb) const { return detail::is_stump(limb, solid_.cell) ? 0.5 : 1.0; }
 
   // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
   Span<const Vec3<S>> positions() {
@@ -82,8 +84,8 @@ class Body {
     return carried_;
   }
 
-  // N: by which maps a solid carries the vertices, then turned and moved, as the last drag() or act() left it; none where
-  // the surface is solved. No allocation.
+  // N: by which maps a solid carries the vertices, then turned and moved, as the last drag() or act() left it; none
+  // where the surface is solved. No allocation.
   Span<const detail::NodeMap<S>> maps(const Mat3<S>& turn = Mat3<S>::Identity(),
                                       const Vec3<S>& move = Vec3<S>::Zero()) {
     detail::node_maps<S>(solid_, transforms_, turn, move, maps_);

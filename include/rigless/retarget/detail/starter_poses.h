@@ -44,7 +44,7 @@ class StarterPoses {
     const ModelLimb<S>& own = limbs_[c];
     switch (limb.part) {
       case FollowedPart::arm:
-        return carried(pose, own.base) + own.length * along(pose, c);
+        return carried(pose, own.base) + own.length * swung(along(pose, c), own, rest);
       case FollowedPart::leg:
         return rest + own.length * (along(pose, c) + Vec3<S>::UnitY());
       case FollowedPart::head: {
@@ -62,6 +62,12 @@ class StarterPoses {
   Vec3<S> along(const Vec3<S>* pose, std::size_t c) const {
     const FollowedLimb<S>& limb = follows_[c];
     return (pose[pairs_[c]] - pose[limb.base]) / std::max(limb.reach, S(1e-6));
+  }
+
+  // A stump that pointed where an arm does would go into the body: it gives way only so far.
+  static Vec3<S> swung(const Vec3<S>& along, const ModelLimb<S>& own, const Vec3<S>& rest) {
+    const Vec3<S> way = own.swing * along.normalized() + (S(1) - own.swing) * (rest - own.base).normalized();
+    return along.norm() * way.normalized();
   }
 
   // Where the hips are held, else what is below the lowest control that does not stand, within reason.

@@ -28,7 +28,7 @@ class LimbTurns {
     std::vector<Node> found(solid.rest.size());
     for (std::size_t c = 0; c < controls.size(); ++c) {
       const Limb<S>& limb = limbs[c];
-      if (controls[c].slab || !is_slender(limb, solid.cell)) continue;
+      if (!(limb.length > S(0)) || is_stump(limb, solid.cell)) continue;
       const std::int32_t tip = nth(solid.element, nth(solid.element_of, controls[c].vertex))[0];
       for (const auto& [node, distance] : vertices_within<S>(solid.rest, solid.ring, tip, limb.reach * (S(1) + blur))) {
         if (distance >= nth(nearest, node)) continue;
@@ -75,11 +75,6 @@ class LimbTurns {
     std::int32_t node = -1, chain = -1;
     S upper = 0, lower = 0;  // shares of those turns
   };
-
-  // Several times as long as it is thick.
-  static bool is_slender(const Limb<S>& limb, S cell) {
-    return limb.length > S(0) && limb.length * limb.length > S(6) * limb.girth * cell;
-  }
 
   // From 1 at the tip to 0 where `end` is passed.
   static S until(S end, S along) {

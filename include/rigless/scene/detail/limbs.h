@@ -11,7 +11,7 @@
 
 namespace rigless::detail {
 
-// A capsule about the middle of the body, from one slab to the other.
+// A capsule about the middle of the body, from one slab to beyond the other, which is a chest below its shoulders.
 template <class S>
 struct TrunkShape {
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
@@ -62,7 +62,7 @@ RIGLESS_COLD TrunkShape<S> find_trunk(const Solid<S>& solid, Span<const Control<
   Vec3<S> middle = sum / static_cast<S>(queue.size());
   middle -= way * way.dot(middle);
   trunk.from += middle;
-  trunk.to += middle;
+  trunk.to += middle + S(0.4) * length * way;
   std::vector<S> squares;
   for (const std::int32_t node : queue) {
     const Vec3<S> away = nth(solid.rest, node) - waist - middle;
@@ -73,6 +73,12 @@ RIGLESS_COLD TrunkShape<S> find_trunk(const Solid<S>& solid, Span<const Control<
   trunk.radius =
       std::min(std::sqrt(std::max(S(2) * *median, S(0))), S(0.75) * length);  // half a disc is nearer than that
   return trunk;
+}
+
+// A limb that is not several times as long as it is thick.
+template <class S>
+bool is_stump(const Limb<S>& limb, S cell) {
+  return limb.length > S(0) && limb.length * limb.length < S(6) * limb.girth * cell;
 }
 
 // C: the limb at whose tip each control lies, whatever shells it is made of; none where a slab is. height: of the body,

@@ -103,10 +103,10 @@ Status find_points(Span<const Vec3<S>> vertices, const StagedMotion<double>& mot
 
 // C: the limbs of a body's controls, as a performance takes them. Allocates.
 template <class S>
-std::vector<ModelLimb<double>> model_limbs(Body<S>& body) {
+std::vector<ModelLimb<double>> model_limbs(const Body<S>& body) {
   std::vector<ModelLimb<double>> limbs;
   for (const Limb<S>& limb : body.limbs())
-    limbs.push_back({limb.base.template cast<double>(), static_cast<double>(limb.length)});
+    limbs.push_back({limb.base.template cast<double>(), static_cast<double>(limb.length), body.swing(limb)});
   return limbs;
 }
 
