@@ -50,7 +50,8 @@ window.carried = async (character, motion, frames) => {
   let document: ProjectDocument = parsed;
   const workspace = new Workspace(() => document, createBrowserEngine);
   const file = workspace.library.addModel(name, model);
-  const files = workspace.library.addMotion([motion], { name: motion, text: await (await fetch(`/assets/motions/${motion}`)).text() });
+  const text = await (await fetch(`/assets/motions/${motion}`)).text();
+  const files = workspace.library.addMotion([motion], { name: motion, text });
   document = { ...parsed, mesh: { ...parsed.mesh, file, solve: "solid" }, motion: { files } };
   const core = await workspace.vertexFrames({});
   await workspace.sync();
