@@ -31,7 +31,7 @@ export interface Carried {
   /** How far the card's places are from the core's, at most, and how far those are from rest; in metres. */
   apart: number;
   moved: number;
-  /** Of some vertices: how far the card's normals are from the rest's turned by the map's gradient, and those from the rest's, in degrees. */
+  /** Of some vertices, in degrees: how far the card's normals are from those that the map's gradient turns, and these from rest. */
   tilted: number;
   turned: number;
 }
