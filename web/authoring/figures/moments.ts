@@ -24,6 +24,7 @@ export async function theModel(model: Model, document: ProjectDocument, workspac
   const vertices = await workspace.vertexFrames({});
   const figure = new ModelFigure(drawn);
   figure.dress(await loadLook(drawn.document, drawn.instances));
+  figure.show();
   return {
     group: figure.group,
     frames: vertices.length,

@@ -7,8 +7,8 @@ import type { Poses } from "./poses";
 import type { ClockPort } from "./ports";
 
 const SIZE = 80;
-/** The first moments belong to the dance: a picture that is read back stops the graphics card. */
-const AFTER_OPENING_MS = 1500;
+/** A model's first moments belong to its dance: a picture that is read back stops the graphics card. */
+const AFTER_STAGED_MS = 1500;
 
 /** Who draws a small picture of a shape, once a model has been put on the stage. */
 export type ThumbnailPort = Pick<StagePort, "thumbnail">;
@@ -19,7 +19,7 @@ export class Thumbnails {
   private pictures = new WeakMap<Example, string>();
   private restShape: Shape | null = null;
   private working = false;
-  private readonly opened = new Promise<void>((resolve) => setTimeout(() => resolve(), AFTER_OPENING_MS));
+  private opened = Promise.resolve();
 
   constructor(
     private readonly context: Context,
@@ -43,6 +43,7 @@ export class Thumbnails {
     this.pictures = new WeakMap();
     this.restShape = restShape;
     this.rest = null;
+    this.opened = new Promise((resolve) => setTimeout(resolve, AFTER_STAGED_MS));
     this.context.signals.tell("thumbnails");
     void this.update();
   }
@@ -52,9 +53,10 @@ export class Thumbnails {
     if (this.working) return;
     this.working = true;
     try {
-      await this.opened;
-      do await this.clock.idle();
-      while (!this.context.solving && (await this.makeNext()));
+      do {
+        await this.opened;
+        await this.clock.idle();
+      } while (!this.context.solving && (await this.makeNext()));
     } catch (error) {
       if (!(error instanceof EngineError)) throw error;
     } finally {

@@ -72,8 +72,8 @@ export function pointFromStage(stage: StageTransform, point: Vec3): Vec3 {
 }
 
 /** N x 3 positions of the file, on the stage; a new array. */
-export function toStage(stage: StageTransform, positions: ArrayLike<number>): Float32Array {
-  return mapPoints(positions, (point) => pointToStage(stage, point));
+export function toStage({ scale, rotation, offset }: StageTransform, positions: ArrayLike<number>): Float32Array {
+  return turned(rotation, positions, scale, offset);
 }
 
 /** N x 3 positions of the stage, in the file's units and axes; a new array. */
@@ -83,7 +83,22 @@ export function fromStage(stage: StageTransform, positions: ArrayLike<number>): 
 
 /** N x 3 directions of the file, in the stage's axes; a new array. */
 export function turnToStage({ rotation }: StageTransform, directions: ArrayLike<number>): Float32Array {
-  return mapPoints(directions, (direction) => rotate(rotation, direction));
+  return turned(rotation, directions, 1, [-0, -0, -0]); // which change nothing
+}
+
+/** No point is an object: there may be a million. */
+function turned([a, b, c, d, e, f, g, h, i]: readonly number[], points: ArrayLike<number>, scale: number, offset: Vec3): Float32Array {
+  const out = new Float32Array(points.length);
+  const [ox, oy, oz] = offset;
+  for (let k = 0; k + 2 < points.length; k += 3) {
+    const x = points[k];
+    const y = points[k + 1];
+    const z = points[k + 2];
+    out[k] = scale * (a * x + b * y + c * z) + ox;
+    out[k + 1] = scale * (d * x + e * y + f * z) + oy;
+    out[k + 2] = scale * (g * x + h * y + i * z) + oz;
+  }
+  return out;
 }
 
 function mapPoints(positions: ArrayLike<number>, map: (point: Vec3) => Vec3): Float32Array {

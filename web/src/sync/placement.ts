@@ -1,6 +1,6 @@
 // Where a model stands: from its file to the stage, and from its own place there to the world.
 
-import { boundsOf, type StageTransform, stageOf } from "../document/stage-transform";
+import { type Bounds, boundsOf, type StageTransform, stageOf } from "../document/stage-transform";
 import type { MeshRef } from "../document/types";
 import type { ShapedFrame } from "../engine/types";
 import type { NamedJoint } from "./named-body";
@@ -17,9 +17,13 @@ export interface SolverModel {
   readonly joints?: readonly NamedJoint[];
 }
 
+const BOUNDS = new WeakMap<SolverModel, Bounds>();
+
 /** The transform between the model's file and the stage. */
 export function stageFor(model: SolverModel, mesh: MeshRef): StageTransform {
-  return stageOf(boundsOf(model.positions), mesh.facing, mesh.up);
+  const bounds = BOUNDS.get(model) ?? boundsOf(model.positions);
+  BOUNDS.set(model, bounds);
+  return stageOf(bounds, mesh.facing, mesh.up);
 }
 
 /** World position and yaw of the model's origin. */

@@ -4,11 +4,19 @@ import { fromStage, pointToStage } from "../document/stage-transform";
 import type { Example, Point, ProjectDocument, Vec3 } from "../document/types";
 import { type SolverModel, stageFor } from "./placement";
 
+/** Of models: the nearest vertex to a place, where it was asked for; a large one is looked through once. */
+const NEAREST = new WeakMap<SolverModel, Map<string, number>>();
+
 /** The vertex of each point: the nearest that no earlier point has, because two controls on one vertex would contradict each other. */
 export function pointVertices(model: SolverModel, points: readonly Point[]): number[] {
+  const known = NEAREST.get(model) ?? new Map<string, number>();
+  NEAREST.set(model, known);
   const taken = new Set<number>();
   return points.map(({ position }) => {
-    const vertex = nearestVertex(model.positions, position, taken);
+    const key = position.join();
+    let vertex = known.get(key) ?? nearestVertex(model.positions, position, new Set());
+    known.set(key, vertex);
+    if (taken.has(vertex)) vertex = nearestVertex(model.positions, position, taken);
     taken.add(vertex);
     return vertex;
   });

@@ -14,7 +14,7 @@ export class CarriedBody implements Body {
   private readonly elements: ReturnType<typeof elementTexture>;
   private readonly carry: Carry;
   private readonly shadows: Material[] = [];
-  /** Vertices that stand out of their elements. */
+  /** Some of each element's vertices. */
   private readonly outermost: Uint32Array;
   private readonly outlined: Float32Array;
 
@@ -98,18 +98,16 @@ export class CarriedBody implements Body {
   }
 }
 
-/** In each element those vertices that lie farthest along the axes, either way. */
+/** The lowest and the highest vertex of each element. */
 function outermostOf({ elements, elementOf }: SolidCells, rest: Float32Array): Uint32Array {
-  const farthest = new Int32Array((6 * elements.length) / 8).fill(-1);
+  const lowest = new Int32Array(elements.length / 8).fill(-1);
+  const highest = new Int32Array(lowest);
   for (let v = 0; v < elementOf.length; v++) {
-    const e = 6 * elementOf[v]!;
+    const e = elementOf[v]!;
     if (e < 0) continue;
-    for (let axis = 0; axis < 3; axis++) {
-      const x = rest[3 * v + axis]!;
-      const [low, high] = [e + axis, e + 3 + axis];
-      if (farthest[low]! < 0 || x < rest[3 * farthest[low]! + axis]!) farthest[low] = v;
-      if (farthest[high]! < 0 || x > rest[3 * farthest[high]! + axis]!) farthest[high] = v;
-    }
+    const y = rest[3 * v + 1]!;
+    if (lowest[e]! < 0 || y < rest[3 * lowest[e]! + 1]!) lowest[e] = v;
+    if (highest[e]! < 0 || y > rest[3 * highest[e]! + 1]!) highest[e] = v;
   }
-  return Uint32Array.from(new Set(farthest.filter((v) => v >= 0)));
+  return Uint32Array.from(new Set([...lowest, ...highest].filter((v) => v >= 0)));
 }

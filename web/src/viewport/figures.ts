@@ -33,8 +33,12 @@ export class Figures {
     const figure = this.place(model);
     if (!figure || !model) return true;
     const look = await this.looks.then(({ loadLook }) => loadLook(model.document, model.instances)).catch(clay);
-    if (this.model === figure) figure.dress(look);
-    else look?.dispose();
+    if (this.model !== figure) look?.dispose();
+    else {
+      figure.dress(look);
+      await this.scenery.compile(figure.bodies);
+      figure.show();
+    }
     return this.model === figure;
   }
 

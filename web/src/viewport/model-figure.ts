@@ -18,7 +18,7 @@ export class ModelFigure {
   readonly meshes: readonly Mesh[];
   /** What is drawn now. */
   shape: Shape;
-  private readonly bodies = new Group();
+  readonly bodies = new Group();
   private readonly place = new Float32Array(3);
   private ghost: Ghost | null = null;
   private look: Look | null = null;
@@ -37,7 +37,7 @@ export class ModelFigure {
     this.group.add(this.bodies);
   }
 
-  /** Shows the model as its file says; as clay where nobody could tell how it looks. */
+  /** How the model looks, as its file says; clay where nobody could tell. */
   dress(look: Look | null): void {
     this.look = look;
     const clay = look ? null : new MeshStandardMaterial({ color: CLAY, roughness: 0.8, metalness: 0, side: 2 });
@@ -46,6 +46,9 @@ export class ModelFigure {
       this.lay(mesh, i);
       this.body.dress(mesh);
     });
+  }
+
+  show(): void {
     this.bodies.visible = true;
   }
 

@@ -1,7 +1,7 @@
 // The scene under the figures: renderer, lights, ground, fog, and the travel of the figures under a camera that stays at the
 // origin. "World" is a figure's own world; "scene" is what is drawn: world plus the figure's lane minus the travel.
 
-import { Fog, Group, NeutralToneMapping, type PerspectiveCamera, Scene, Vector3, VSMShadowMap, WebGLRenderer } from "three";
+import { Fog, Group, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, VSMShadowMap, WebGLRenderer } from "three";
 import { ContactShadow } from "./contact-shadow";
 import { AZIMUTH, lanes, type Content } from "./framing";
 import { Ground } from "./ground";
@@ -152,6 +152,11 @@ export class Scenery {
   resize(width: number, height: number, pixelRatio: number): void {
     this.renderer.setPixelRatio(pixelRatio);
     this.renderer.setSize(width, height, false);
+  }
+
+  /** Makes the shaders of what is to be seen, while the page goes on. */
+  async compile(group: Group): Promise<void> {
+    await this.renderer.compileAsync(group, new PerspectiveCamera(), this.scene);
   }
 
   /** `distance`: of the camera from its target; the fog begins behind it. */

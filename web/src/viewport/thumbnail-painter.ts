@@ -1,7 +1,7 @@
 // Small pictures of poses. They are drawn into a corner of the stage's own canvas and copied out before anyone sees it, which
 // keeps its tone mapping and smooth edges; the caller draws the stage again in the same task.
 
-import { Group, PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from "three";
+import { Fog, Group, PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from "three";
 import { AZIMUTH, FIELD_OF_VIEW } from "./framing";
 import { Lights } from "./lights";
 import type { Shape } from "../stage/port";
@@ -16,6 +16,7 @@ export class ThumbnailPainter {
   private figure: ModelFigure | null = null;
 
   constructor(private readonly renderer: WebGLRenderer) {
+    this.scene.fog = new Fog("#ffffff", 1e3, 1e4); // of the stage's kind and out of sight: shaders are the same
     this.scene.add(this.lights.group, this.holder);
   }
 

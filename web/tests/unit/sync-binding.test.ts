@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 
-import { addPoint, pairPoint, setSettings, turnMesh } from "../../src/document/commands";
+import { addPoint, pairPoint, setSettings, solveMesh, turnMesh } from "../../src/document/commands";
 import { parseProject } from "../../src/document/project";
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
@@ -57,18 +57,25 @@ test("each part of a document is told once, and again when it has changed", asyn
 });
 
 test("the page and the command line get the same frames, to the bit", async () => {
-  const baked = await bake(new Binding(engine), document, { model, motion });
-  const workspace = new Workspace(
-    () => present,
-    () => engine,
-  );
-  const file = workspace.library.addModel("cactus.glb", model);
-  const present = { ...document, mesh: { ...document.mesh, file }, motion: { files: workspace.library.addMotion(["nod.bvh"], motion) } };
-  do await workspace.sync();
-  while (workspace.cache.staleCount > 0);
-  expect(workspace.cache.length).toBe(20);
-  baked.frames.forEach(({ positions, root }, f) => {
-    expect(workspace.cache.at(f)?.shape).toEqual(positions);
-    expect(workspace.cache.at(f)?.root).toEqual(root);
-  });
+  for (const solve of ["surface", "solid"] as const) {
+    const chosen = solveMesh(solve)(document);
+    const baked = await bake(new Binding(engine), chosen, { model, motion });
+    const workspace = new Workspace(
+      () => present,
+      () => engine,
+    );
+    const file = workspace.library.addModel("cactus.glb", model);
+    const present = { ...chosen, mesh: { ...chosen.mesh, file }, motion: { files: workspace.library.addMotion(["nod.bvh"], motion) } };
+    const exported = await workspace.vertexFrames({});
+    do await workspace.sync();
+    while (workspace.cache.staleCount > 0);
+    expect(workspace.cache.length).toBe(20);
+    const plays = workspace.cache.at(7)?.shape;
+    if (solve === "surface") expect(plays).toEqual(baked.frames[7].positions);
+    else expect(plays?.length).toBe(4 * (workspace.report?.solid?.nodes.length ?? 0));
+    baked.frames.forEach(({ positions, root }, f) => {
+      expect(exported[f].positions).toEqual(positions);
+      expect(workspace.cache.at(f)?.root).toEqual(root);
+    });
+  }
 });

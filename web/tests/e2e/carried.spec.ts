@@ -1,0 +1,37 @@
+// What the graphics card makes of the nodes' maps, read back and compared with what the core makes of them.
+
+import type { AddressInfo } from "node:net";
+import { fileURLToPath } from "node:url";
+import { expect, test } from "@playwright/test";
+import { createServer, type ViteDevServer } from "vite";
+import type {} from "./carried/carried";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+let server: ViteDevServer;
+
+test.beforeAll(async () => {
+  server = await createServer({
+    root,
+    configFile: false,
+    logLevel: "error",
+    appType: "mpa",
+    cacheDir: `${root}../build/figures-cache`,
+    assetsInclude: ["**/*.glb", "**/*.bvh"],
+    server: { port: 0, hmr: false },
+  });
+  await server.listen();
+});
+
+test.afterAll(() => server.close());
+
+test("the card carries every vertex to where the core does, and turns the normals by the map's gradient", async ({ page }) => {
+  await page.goto(`http://localhost:${(server.httpServer?.address() as AddressInfo).port}/tests/e2e/carried/index.html`);
+  await page.waitForFunction(() => "carried" in window, null, { timeout: 60_000 });
+  const found = await page.evaluate(() => window.carried("lamp", "disco.bvh", [0, 30, 75]));
+  console.log(found);
+  expect(found.numbers).toBe(12 * found.nodes);
+  expect(found.moved).toBeGreaterThan(0.3);
+  expect(found.apart).toBeLessThan(1.7e-5); // 1e-5 of the height
+  expect(found.turned).toBeGreaterThan(20);
+  expect(found.tilted).toBeLessThan(0.5);
+});
