@@ -23,6 +23,8 @@ export interface Mesh {
   readonly positions: ArrayLike<number>;
   /** F x 3, counter-clockwise. */
   readonly faces: ArrayLike<number>;
+  /** The name of its file: kinds of files agree on which way up they hold a body, OBJ on +y for example and STL on +z. */
+  readonly file?: string;
   /** The skeleton that its file brings: names tell where its head, hands and feet are. */
   readonly joints?: readonly NamedJoint[];
   /** Which way is up and which way it looks, in its own axes; by default guessed from its shape. */
@@ -171,7 +173,9 @@ async function documentOf(
         NAME,
         files,
         surface,
-        await engine.analyseShape(shapeInput({ ...surface, ...(mesh.joints && { joints: mesh.joints }) }), { ...(signal && { signal }) }),
+        await engine.analyseShape(shapeInput({ ...surface, name: mesh.file ?? NAME, ...(mesh.joints && { joints: mesh.joints }) }), {
+          ...(signal && { signal }),
+        }),
         motion.joints,
       );
   const said = poses.map((pose, n) => exampleOf(base, pose, n, motion));

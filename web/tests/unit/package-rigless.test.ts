@@ -4,6 +4,13 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { createRigless, DocumentError, EngineError, type Mesh, ModelError, type Rigless } from "../../src/package/node";
 import { nod, post } from "./engine-support";
 
+/** A cube, which looks the same from everywhere. */
+function cube(): { positions: number[]; faces: number[] } {
+  const positions = Array.from({ length: 8 }, (_, k) => [k & 1, (k >> 1) & 1, k >> 2]).flat();
+  const faces = [0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5];
+  return { positions, faces };
+}
+
 const hop = readFileSync(new URL("../../assets/motions/hop.bvh", import.meta.url), "utf8");
 const nods = nod(20).text;
 const { positions, faces } = post();
@@ -28,6 +35,12 @@ describe("import rigless", () => {
     const heights = Array.from({ length: dance.frames }, (_, f) => dance.frame(f)[last + 1]);
     expect(Math.max(...heights) - Math.min(...heights)).toBeGreaterThan(0.15);
     expect(() => dance.frame(117)).toThrow("There is no frame 117: they go from 0 to 116.");
+  });
+
+  it("takes which way is up from the kind of the mesh's file, as page and command line do", async () => {
+    const { positions, faces } = cube();
+    const up = async (file: string): Promise<string> => (await rigless.retarget({ mesh: { positions, faces, file }, motion: nods })).up;
+    expect([await up("crate.obj"), await up("crate.STL"), await up("crate.glb")]).toEqual(["+y", "+z", "+y"]);
   });
 
   it("answers in the mesh's own units and axes", async () => {
