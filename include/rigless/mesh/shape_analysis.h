@@ -1,6 +1,7 @@
 // All that a bare mesh says of itself: how it stands, whether it is symmetric, where to hold it.
 #pragma once
 
+#include "rigless/mesh/detail/body_faces.h"
 #include "rigless/mesh/detail/body_points.h"
 
 namespace rigless {
@@ -26,10 +27,11 @@ Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, Shape
     if (!vertices[v].allFinite()) return {Error::not_finite, v};
   }
   ShapeAnalysis<S> found;
-  const detail::SurfaceGraph<S> graph = detail::surface_graph(vertices, faces);
+  const std::vector<Face> body = detail::body_faces(vertices, faces);
+  const detail::SurfaceGraph<S> graph = detail::surface_graph<S>(vertices, body);
   const std::vector<S> average = detail::average_geodesic(graph);
-  const std::vector<Vec3<S>> samples = detail::surface_samples(vertices, faces, 6000);
-  const S diagonal = detail::bounds(vertices).diagonal();
+  const std::vector<Vec3<S>> samples = detail::surface_samples<S>(vertices, body, 6000);
+  const S diagonal = detail::bounds<S>(graph.position).diagonal();
   std::vector<Vec3<S>> tips;  // those that stand apart: the rim of a disc is one
   for (const detail::Extremity<S>& e : detail::extremities<S>(graph, average, S(0.04) * diagonal)) {
     const Vec3<S>& tip = nth(graph.position, e.node);

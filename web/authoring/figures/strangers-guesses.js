@@ -37,8 +37,8 @@ function wantedOf({ limbs, truth }) {
   const feet = /(\d) feet/.exec(limbs.join(" "));
   return {
     ...(has("head") && { head: 1 }),
-    ...((has("hands") || has("wings") || has("fins") || has("claws")) && { hand: 2 }),
-    ...(has("feet") && !has("claws") && { foot: 2 }),
+    ...((has("hands") || has("wings")) && { hand: 2 }),
+    ...(has("feet") && { foot: 2 }),
     ...(feet && { legs: Number(feet[1]) }),
   };
 }

@@ -39,10 +39,11 @@ struct WeightAlong {
   }
 };
 
-// The box of the vertices that faces use, those marked in `left_out` aside; cut where the box of all but .2 % of the
-// area to each side, grown by half its longest side, ends. Allocates.
+// The box of the vertices that faces use, those marked in `left_out` aside; cut where the box of all but a
+// `share` of the area to each side, grown by half its longest side, ends. Allocates.
 template <class S>
-RIGLESS_COLD Box body_box(Span<const Vec3<S>> vertices, Span<const Face> faces, const std::vector<char>& left_out) {
+RIGLESS_COLD Box body_box(Span<const Vec3<S>> vertices, Span<const Face> faces, const std::vector<char>& left_out,
+                          double share = 0.002) {
   Box box;
   bool any = false;
   std::array<WeightAlong, 3> along;
@@ -69,7 +70,7 @@ RIGLESS_COLD Box body_box(Span<const Vec3<S>> vertices, Span<const Face> faces, 
   }
   Box most = box;
   for (std::size_t a = 0; a < 3; ++a)
-    along[a].trim(0.002, most.low[static_cast<int>(a)], most.high[static_cast<int>(a)]);
+    along[a].trim(share, most.low[static_cast<int>(a)], most.high[static_cast<int>(a)]);
   const double room = (most.high - most.low).maxCoeff() / 2;
   return {box.low.cwiseMax((most.low.array() - room).matrix()), box.high.cwiseMin((most.high.array() + room).matrix())};
 }

@@ -14,7 +14,7 @@ class BodyReader {
   // Keeps what it is given. average: of average_geodesic(). Allocates.
   BodyReader(const SurfaceGraph<S>& graph, Span<const S> average, const Posture<S>& posture,
              const SymmetryPlane<S>& plane, Span<const Landmark<S>> landmarks)
-      : graph_(graph), average_(average), plane_(plane), named_(landmarks.begin(), landmarks.end()) {
+      : graph_(graph), average_(average), posture_(posture), plane_(plane), named_(landmarks.begin(), landmarks.end()) {
     for (const Vec3<S>& p : graph.position) place_.push_back(posture.see(p));
     const Bounds<S> box = bounds<S>(place_);
     tall_ = std::max(box.height(), S(0.3) * box.diagonal());
@@ -226,8 +226,9 @@ class BodyReader {
       if (place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
       if (place(nth(tips_, tips_[t].partner).node).y() > S(0.12)) continue;
       feet.push_back(t);
-      middle += place(tips_[t].node).z();
     }
+    if (feet.empty()) feet = four_feet();
+    for (const std::size_t t : feet) middle += place(tips_[t].node).z();
     legs_ = feet.size();
     for (const std::size_t t : feet) {
       const bool fore = legs_ >= 4 && place(tips_[t].node).z() > middle / static_cast<S>(legs_);
@@ -240,6 +241,22 @@ class BodyReader {
             return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
           }),
           BodyRole::foot, true, sign > S(0) ? 1 : -1);
+  }
+
+  // Of a body that gallops or looks round, whose legs are no mirror images: the ends of four slender limbs that hang.
+  std::vector<std::size_t> four_feet() {
+    std::vector<std::size_t> feet;
+    for (std::size_t t = 0; t < tips_.size(); ++t) {
+      const Limb<S> limb = find_limb(graph_, tips_[t].node, S(0.7) * tall_);
+      const S rise = posture_.up.dot(limb.base - nth(graph_.position, tips_[t].node));
+      if (place(tips_[t].node).y() < S(0.3) && limb.length > S(1.3) * limb.girth && rise > S(0.45) * limb.length)
+        feet.push_back(t);
+    }
+    if (feet.size() != 4) return {};
+    const auto at = [&](std::size_t t) -> const Vec3<S>& { return place(tips_[t].node); };
+    std::sort(feet.begin(), feet.end(), [&](std::size_t a, std::size_t b) { return at(a).z() < at(b).z(); });
+    for (std::size_t k = 0; k < 4; ++k) tips_[feet[k]].partner = static_cast<std::int32_t>(feet[k ^ 1]);
+    return feet;
   }
 
   void add_named_feet() {
@@ -256,12 +273,15 @@ class BodyReader {
     }
   }
 
-  // The most prominent pair that is no ears and no horns: those are nearer to the head than to the middle.
+  // The most prominent pair that is no ears and no horns: those are nearer to the head than to the middle, or stout.
   void add_hands() {
     const std::vector<S> from_head = node_distances(graph_, head_), from_center = node_distances(graph_, center_);
     const auto is_arm = [&](const Tip& t) {
       const auto node = to_size(t.node);
-      return !t.used && from_head[node] > S(0.9) * from_center[node];
+      if (t.used || from_head[node] < S(0.75) * from_center[node]) return false;
+      if (from_head[node] > S(0.9) * from_center[node]) return true;
+      const Limb<S> limb = find_limb(graph_, t.node, S(0.7) * tall_);
+      return limb.length > S(0.3) * tall_ && limb.length > S(2) * limb.girth;
     };
     for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
       if (tips_[t].partner < 0) continue;
@@ -362,6 +382,7 @@ class BodyReader {
 
   const SurfaceGraph<S>& graph_;
   Span<const S> average_;
+  Posture<S> posture_;
   SymmetryPlane<S> plane_;
   std::vector<Landmark<S>> named_;  // as place_
   std::vector<Vec3<S>> place_;  // N: left, up from the ground, forward; in heights

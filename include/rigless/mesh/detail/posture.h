@@ -18,7 +18,7 @@ struct PostureGuess {
 template <class S>
 S usual_up(FileAxes file, const Vec3<S>& up) {
   const bool y = up.y() > S(0.5), z = up.z() > S(0.5);
-  if (file == FileAxes::y_up_by_rule) return y ? S(4) : S(0);
+  if (file == FileAxes::y_up_by_rule) return y ? S(6) : S(0);
   if (file == FileAxes::y_up) return y ? S(2.4) : z ? S(0.6) : S(0);
   if (file == FileAxes::z_up) return z ? S(1.6) : y ? S(1) : S(0);
   return y ? S(1) : z ? S(0.6) : S(0);
@@ -42,10 +42,26 @@ Vec3<S> mean_of(Span<const Vec3<S>> samples) {
   return mean;
 }
 
-// What speaks for an axis being up: the weight of a body is over what it stands on, which is mostly two tips or four,
-// and a narrow body is upright.
+// Whether nothing but air is in the middle, some way up: legs, and not the two ends of a fin.
 template <class S>
-S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<S>& up) {
+bool stands_astride(Span<const Vec3<S>> samples, const SymmetryPlane<S>& plane, const Vec3<S>& up, S to) {
+  if (!(plane.misfit < S(0.035)) || std::abs(plane.normal.dot(up)) > S(0.3)) return false;
+  S widest = 0, middle = 0, all = 0;
+  for (const Vec3<S>& p : samples)
+    if (up.dot(p) < to) widest = std::max(widest, std::abs(plane.side(p)));
+  for (const Vec3<S>& p : samples) {
+    if (!(up.dot(p) < to)) continue;
+    all += S(1);
+    if (std::abs(plane.side(p)) < S(0.12) * widest) middle += S(1);
+  }
+  return middle < S(0.01) * all;
+}
+
+// What speaks for an axis being up: the weight of a body is over what it stands on, which is mostly two tips or four,
+// and a narrow body is upright, surely so on two legs.
+template <class S>
+S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const SymmetryPlane<S>& plane,
+              const Vec3<S>& up) {
   const Bounds<S> box = bounds(samples);
   const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
   Bounds<S> base{box.high, box.low};
@@ -65,7 +81,10 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Vec3<
     deep = std::min(deep, box.extent()[k]);
   }
   S score = 0;
-  if ((off.array() <= room.array()).all()) score += standing >= 4 ? S(2.5) : standing >= 2 ? S(2) : S(1);
+  const bool astride = tall > S(0.85) * wide && tall > S(1.2) * deep &&
+                       stands_astride(samples, plane, up, low + S(0.3) * tall);
+  if ((off.array() <= room.array()).all()) score += standing >= 4 ? S(2.5) : standing >= 2 || astride ? S(2) : S(1);
+  score += astride ? S(2) : S(0);
   score += tall > S(1.05) * wide ? S(0.7) : tall < S(0.95) * deep ? S(-0.5) : S(0);
   return score;
 }
@@ -149,7 +168,7 @@ PostureGuess<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> t
   for (const int k : {2, 4, 5, 3, 0, 1}) {
     const Vec3<S> up = signed_axis<S>(k);
     if (k / 2 == across && usual_up(file, up) < S(3)) continue;
-    const S score = usual_up(file, up) + uprightness(samples, tips, up);
+    const S score = usual_up(file, up) + uprightness(samples, tips, plane, up);
     if (score <= best + S(0.01)) {
       second = std::max(second, score);
       continue;
