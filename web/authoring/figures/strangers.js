@@ -117,7 +117,8 @@ if (asked.raw) {
     results.push({ ...model, ...result, ...ratingOf(ratings, model.name, result) });
     console.log(model.name, result.refused ?? `${result.up} ${result.front} swing ${result.measures.swing.map(Math.round)}`);
   }
-  const drawn = results.filter(({ strip }) => strip);
+  // In the docs only what its licence lets anybody show; ours have none.
+  const drawn = results.filter(({ strip, licence = "CC0" }) => strip && (asked.out || licence.startsWith("CC")));
   const sheets = await writeSheets(
     "sheet",
     drawn.map(({ name, up, front, measures, rating, points, strip, stale }) => ({
