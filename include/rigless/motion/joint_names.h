@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/joint_labels.h"
 #include "rigless/motion/detail/name_reader.h"
 

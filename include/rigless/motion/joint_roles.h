@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/detail/body_frame.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/role_finder.h"
 
 namespace rigless {

@@ -10,8 +10,8 @@
 
 #include "rigless/math/detail/macros.h"
 #include "rigless/math/status.h"
-#include "rigless/motion/acclaim_skeleton.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/amc_parser.h"
 #include "rigless/motion/detail/asf_parser.h"
 #include "rigless/motion/detail/clip_limits.h"

@@ -5,11 +5,11 @@
 
 #include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/length_unit.h"
 #include "rigless/motion/detail/root_axes.h"
 #include "rigless/motion/detail/units.h"
 #include "rigless/motion/detail/up_axis.h"
 #include "rigless/motion/joint_roles.h"
-#include "rigless/motion/units.h"
 
 namespace rigless {
 

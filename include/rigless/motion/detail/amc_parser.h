@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rigless/math/status.h"
-#include "rigless/motion/acclaim_skeleton.h"
+#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/clip_limits.h"
 #include "rigless/motion/detail/text_scanner.h"
 

@@ -12,7 +12,7 @@
 
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
-#include "rigless/motion/acclaim_skeleton.h"
+#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/asf_words.h"
 #include "rigless/motion/detail/euler.h"
 #include "rigless/motion/detail/text_scanner.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "rigless/motion/acclaim_skeleton.h"
+#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/text_scanner.h"
 
 namespace rigless::detail {

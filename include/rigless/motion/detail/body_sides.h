@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/body_tree.h"
 
 namespace rigless::detail {

@@ -11,7 +11,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/skeleton_tree.h"
 
 namespace rigless::detail {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/name_parts.h"
 
 namespace rigless::detail {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/name_senses.h"
 #include "rigless/motion/detail/name_words.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/name_parts.h"
 #include "rigless/motion/detail/name_senses.h"
 #include "rigless/motion/detail/part_reader.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/name_reader.h"
 #include "rigless/motion/detail/skeleton_tree.h"
 

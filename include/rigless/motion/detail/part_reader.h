@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/name_parts.h"
 #include "rigless/motion/detail/name_senses.h"
 

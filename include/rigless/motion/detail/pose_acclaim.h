@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigless/motion/acclaim_skeleton.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/acclaim_skeleton.h"
 #include "rigless/motion/detail/amc_parser.h"
 #include "rigless/motion/detail/euler.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rigless/motion/body_parts.h"
+#include "rigless/motion/detail/body_parts.h"
 #include "rigless/motion/detail/body_sides.h"
 #include "rigless/motion/detail/body_tree.h"
 #include "rigless/motion/detail/named_roles.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/length_unit.h"
 #include "rigless/motion/joint_roles.h"
-#include "rigless/motion/units.h"
 
 namespace rigless::detail {
 

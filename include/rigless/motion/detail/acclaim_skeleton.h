@@ -1,4 +1,4 @@
-// The bones of an Acclaim skeleton, as its file tells them.
+// The bones of an Acclaim skeleton, as its file tells them. Public through parse_asf().
 #pragma once
 
 #include <cstdint>

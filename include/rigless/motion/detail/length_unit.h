@@ -1,4 +1,4 @@
-// Lengths and axes of motion files.
+// Lengths and axes of motion files. Public through standardise().
 #pragma once
 
 #include <cstdint>

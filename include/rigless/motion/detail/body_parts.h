@@ -1,4 +1,5 @@
-// Parts and sides of a body: what a joint's name says of them, and which joints carry them.
+// Parts and sides of a body: what a joint's name says of them, and which joints carry them. Public through
+// JointRoles and read_joint_names().
 #pragma once
 
 #include <cstddef>
