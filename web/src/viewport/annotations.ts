@@ -171,8 +171,7 @@ export class Annotations {
 
   /** Model world: where the lead starts, on the ghost if one shows, else where the hand took the dot. */
   private holdStart(point: PointMark, out: Vector3): Vector3 {
-    const { ghost } = this.figures;
-    return ghost ? out.fromArray(ghost, 3 * point.vertex) : out.copy(this.hand.origin);
+    return this.figures.ghostVertex(point.vertex, out) ?? out.copy(this.hand.origin);
   }
 
   /** "Top: 27 cm up, 31 cm right", as the camera sees it. */

@@ -13,7 +13,7 @@ export class Figures {
   picker: SurfacePicker | null = null;
   mannequin: Mannequin | null = null;
   /** World. */
-  ghost: Shape | null = null;
+  private ghost: Shape | null = null;
   private asking = false;
   private human: DrawnHuman | null = null;
   private nextShape: Shape | null = null;
@@ -84,8 +84,8 @@ export class Figures {
   }
 
   setGhost(shape: Shape | null): void {
-    this.ghost = shape;
-    this.model?.setGhost(shape && this.model.body.takes(shape) ? shape : null, this.theme);
+    this.ghost = shape && this.model?.body.takes(shape) ? shape : null;
+    this.model?.setGhost(this.ghost, this.theme);
     this.model?.setViewSize(...this.viewSize);
   }
 
@@ -135,6 +135,11 @@ export class Figures {
   /** Model world. */
   vertex(vertex: number, out: Vector3): Vector3 {
     return this.model ? out.fromArray(this.model.vertex(vertex)) : out.set(0, 0, 0);
+  }
+
+  /** Model world; null where no ghost shows. */
+  ghostVertex(vertex: number, out: Vector3): Vector3 | null {
+    return this.model && this.ghost && out.fromArray(this.model.vertex(vertex, this.ghost));
   }
 
   /** Scene. */

@@ -57,9 +57,9 @@ export class ModelFigure {
     this.body.write(shape);
   }
 
-  /** Where a vertex is drawn now; three numbers, kept until the next call. */
-  vertex(vertex: number): Float32Array {
-    this.body.places(this.shape, [vertex], this.place);
+  /** Where a vertex is in a shape, by default that which is drawn; three numbers, kept until the next call. */
+  vertex(vertex: number, shape = this.shape): Float32Array {
+    this.body.places(shape, [vertex], this.place);
     return this.place;
   }
 

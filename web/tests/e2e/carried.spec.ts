@@ -1,10 +1,12 @@
 // What the graphics card makes of the nodes' maps, read back and compared with what the core makes of them.
 
+import { readFileSync } from "node:fs";
 import type { AddressInfo } from "node:net";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "@playwright/test";
 import { createServer, type ViteDevServer } from "vite";
 import type {} from "./carried/carried";
+import { documentOf, dragBy, drop, open, pauseBetweenPoses, pointAt, settled, watchErrors } from "./page";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 let server: ViteDevServer;
@@ -34,4 +36,23 @@ test("the card carries every vertex to where the core does, and turns the normal
   expect(found.apart).toBeLessThan(1.7e-5); // 1e-5 of the height
   expect(found.turned).toBeGreaterThan(20);
   expect(found.tilted).toBeLessThan(0.5);
+});
+
+test("a model that a solid carries is dropped, dances and is dragged like any other", async ({ page }) => {
+  const errors = watchErrors(page);
+  await open(page);
+  await drop(page, [{ name: "gnome.glb", bytes: readFileSync(`${root}assets/characters/gnome/gnome.glb`) }]);
+  await expect.poll(async () => (await documentOf(page)).points.length, { timeout: 60_000 }).toBeGreaterThan(4);
+  await settled(page);
+  const { mesh, points } = await documentOf(page);
+  expect(mesh.solve).toBe("solid");
+  const name = points.find((point) => point.name === "Left foot")?.name ?? "";
+  await pauseBetweenPoses(page);
+  await dragBy(page, await pointAt(page, name), 30, -30);
+  // From where it was: a hand's breadth, however the drag is seen.
+  await expect(page.getByText(/^Left foot: \d\d cm (up|right), \d\d cm (up|right|in|out)/)).toBeVisible();
+  await page.mouse.up();
+  await expect.poll(async () => (await documentOf(page)).examples.length).toBe(1);
+  await settled(page);
+  expect(errors).toEqual([]);
 });
