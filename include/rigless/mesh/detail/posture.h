@@ -26,7 +26,7 @@ S usual_up(FileAxes file, const Vec3<S>& up) {
 
 template <class S>
 S usual_front(FileAxes file) {
-  return file == FileAxes::y_up_by_rule ? S(0.25) : file == FileAxes::unknown ? S(0.01) : S(0.08);
+  return file == FileAxes::y_up_by_rule ? S(0.32) : file == FileAxes::unknown ? S(0.01) : S(0.08);
 }
 
 // Axis k of 0 .. 5: +x, -x, +y, -y, +z, -z.
