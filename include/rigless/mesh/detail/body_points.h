@@ -178,8 +178,8 @@ class BodyReader {
     if (!is_named(BodyRole::head)) return beside;
     for (std::size_t i = 0; i < place_.size(); ++i) {
       const auto off = [&](const Landmark<S>& one) { return (one.position - place_[i]).squaredNorm(); };
-      const auto nearest = std::min_element(named_.begin(), named_.end(),
-                                            [&](const auto& a, const auto& b) { return off(a) < off(b); });
+      const auto nearest =
+          std::min_element(named_.begin(), named_.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
       beside[i] = nearest->role == BodyRole::head ? 0 : 1;
     }
     if (std::find(beside.begin(), beside.end(), 0) == beside.end()) beside.assign(place_.size(), 0);
@@ -393,9 +393,9 @@ class BodyReader {
   Posture<S> posture_;
   SymmetryPlane<S> plane_;
   std::vector<Landmark<S>> named_;  // as place_
-  std::vector<Vec3<S>> place_;  // N: left, up from the ground, forward; in heights
-  S tall_ = S(1);               // of the body, in the file's units
-  S middle_ = S(0);             // as far from the plane is still the middle
+  std::vector<Vec3<S>> place_;      // N: left, up from the ground, forward; in heights
+  S tall_ = S(1);                   // of the body, in the file's units
+  S middle_ = S(0);                 // as far from the plane is still the middle
   std::vector<Tip> tips_;
   std::vector<BodyPoint<S>> points_;  // `vertex` is a node until read() ends
   std::size_t legs_ = 0;
