@@ -297,6 +297,112 @@ TEST_CASE("what files of a kind say is believed, unless the shape says more") {
   CHECK(u.posture.up.z() == 1);
 }
 
+TEST_CASE("places that are named stand for all of their role, and a named head is no higher thing") {
+  const BlockBody<float> dog = build_blocks<float>(block_dog);
+  using L = Landmark<float>;
+  // A centaur, as its joints say: it stands on its hind legs and waves the others. Its head is where its chest seems.
+  const std::vector<L> said = {{{3, 1, 11}, BodyRole::hand, 1},  {{-3, 1, 11}, BodyRole::hand, -1},
+                               {{3, 1, -11}, BodyRole::foot, 1}, {{-3, 1, -11}, BodyRole::foot, -1},
+                               {{0, 17, 12}, BodyRole::head, 0}, {{0, 26, 17}, BodyRole::tip, 0},
+                               {{0, 14, -9}, BodyRole::hips, 0}};
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(dog.vertices, dog.faces, u, nullptr, FileAxes::y_up_by_rule, said).ok());
+  check_sound(u, dog.vertices);
+  CHECK(count(u, BodyRole::foreleg, 1) + count(u, BodyRole::foreleg, -1) == 0);
+  for (const std::int32_t side : {1, -1}) {
+    CHECK(count(u, BodyRole::hand, side) == 1);
+    CHECK(count(u, BodyRole::foot, side) == 1);
+  }
+  for (const BodyPoint<float>& p : u.points) {
+    const Vec3<float>& place = dog.vertices[static_cast<std::size_t>(p.vertex)];
+    if (p.role == BodyRole::hand) CHECK((place - Vec3<float>(3.f * float(p.side), 1, 11)).norm() < 4);
+    if (p.role == BodyRole::foot) CHECK((place - Vec3<float>(3.f * float(p.side), 1, -11)).norm() < 4);
+    if (p.role == BodyRole::head) CHECK(place.y() < 23);
+    if (p.role == BodyRole::hips) CHECK((place - Vec3<float>(0, 14, -9)).norm() < 6);
+  }
+  // Legs without arms: nothing else is taken for hands.
+  const BlockBody<float> human = build_blocks<float>(block_human);
+  const std::vector<L> legs = {{{2.5f, 1, 2}, BodyRole::foot, 1}, {{-2.5f, 1, 2}, BodyRole::foot, -1}};
+  REQUIRE(analyse_shape<float>(human.vertices, human.faces, u, nullptr, FileAxes::y_up_by_rule, legs).ok());
+  CHECK(count(u, BodyRole::hand, 1) == 0);
+}
+
+TEST_CASE("left and right are across the posture that is known, whatever else a body is symmetric in") {
+  // wider than it is deep, and nearly the same in front and behind
+  std::vector<Block> blocks = {{{-8, 0, -3}, {-4, 20, 3}}, {{4, 0, -3}, {8, 20, 3}}, {{-8, 20, -3}, {8, 30, 3}}};
+  blocks.push_back({{5, 30, -2}, {14, 34, 2}});
+  const BlockBody<float> body = build_blocks<float>(blocks);
+  const Posture<float> posture;
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(body.vertices, body.faces, u, &posture).ok());
+  CHECK(std::abs(u.plane.normal.x()) > 0.9f);
+}
+
+TEST_CASE("a ground and what lies far away are no body") {
+  BlockBody<float> body = build_blocks<float>(block_human);
+  const auto box = [&](const Vec3<float>& low, const Vec3<float>& high) {
+    const auto first = static_cast<std::int32_t>(body.vertices.size());
+    for (int k = 0; k < 8; ++k)
+      body.vertices.push_back(
+          {(k & 1) != 0 ? high.x() : low.x(), (k & 2) != 0 ? high.y() : low.y(), (k & 4) != 0 ? high.z() : low.z()});
+    for (const Face& f : {Face{0, 2, 1}, Face{1, 2, 3}, Face{4, 5, 6}, Face{5, 7, 6}, Face{0, 1, 4}, Face{1, 5, 4},
+                          Face{2, 6, 3}, Face{3, 6, 7}, Face{0, 4, 2}, Face{2, 4, 6}, Face{1, 3, 5}, Face{3, 7, 5}})
+      body.faces.push_back({first + f[0], first + f[1], first + f[2]});
+  };
+  box({-90, -0.5f, -90}, {90, 0, 90});
+  box({700, 60, -500}, {700.5f, 60.5f, -499.5f});
+  box({-300, 160, 500}, {-299.5f, 160.5f, 500.5f});
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(body.vertices, body.faces, u, nullptr, FileAxes::y_up).ok());
+  CHECK(u.posture.up.y() == 1);
+  CHECK(u.posture.front.z() == 1);
+  for (const std::int32_t side : {1, -1}) {
+    CHECK(count(u, BodyRole::foot, side) == 1);
+    CHECK(count(u, BodyRole::hand, side) == 1);
+  }
+}
+
+TEST_CASE("two legs stand, though the file be upside down; glTF knows what is up") {
+  const BlockBody<float> human = build_blocks<float>(block_human);
+  std::vector<Vec3<float>> turned;
+  for (const Vec3<float>& p : human.vertices) turned.push_back({-p.x(), -p.y(), p.z()});
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(turned, human.faces, u, nullptr, FileAxes::y_up).ok());
+  CHECK(u.posture.up.y() == -1);
+  REQUIRE(analyse_shape<float>(turned, human.faces, u, nullptr, FileAxes::y_up_by_rule).ok());
+  CHECK(u.posture.up.y() == 1);
+}
+
+TEST_CASE("a tail held high is no head, and legs in full stride are four") {
+  std::vector<Block> cat = block_dog;
+  cat.back() = {{-1, 18, -16}, {1, 40, -13}};  // the tail
+  cat[5] = {{-2, 14, 13}, {2, 18, 17}};        // neck and head, low
+  cat[6] = {{-3, 12, 14}, {3, 19, 22}};
+  for (const float sign : {1.f, -1.f}) {
+    const BlockBody<float> body = build_blocks<float>(cat);
+    std::vector<Vec3<float>> turned;
+    for (const Vec3<float>& p : body.vertices) turned.push_back({sign * p.x(), p.y(), sign * p.z()});
+    ShapeAnalysis<float> u;
+    REQUIRE(analyse_shape<float>(turned, body.faces, u, nullptr, FileAxes::y_up).ok());
+    CHECK(u.posture.front.z() == sign);
+  }
+
+  std::vector<Block> strides = block_dog;
+  strides[0] = {{-5, 0, 15}, {-3, 14, 17}};
+  strides[1] = {{3, 2, 5}, {5, 14, 7}};
+  strides[2] = {{-5, 2, -8}, {-3, 14, -6}};
+  strides[3] = {{3, 0, -18}, {5, 14, -16}};
+  strides[4] = {{-5, 14, -18}, {5, 21, 17}};
+  const BlockBody<float> body = build_blocks<float>(strides);
+  ShapeAnalysis<float> u;
+  REQUIRE(analyse_shape<float>(body.vertices, body.faces, u, nullptr, FileAxes::y_up_by_rule).ok());
+  check_sound(u, body.vertices);
+  for (const std::int32_t side : {1, -1}) {
+    CHECK(count(u, BodyRole::foreleg, side) == 1);
+    CHECK(count(u, BodyRole::foot, side) == 1);
+  }
+}
+
 TEST_CASE("a fish swims with its thick end first, though its tail fin is its highest part") {
   const BlockBody<float> fish = build_blocks<float>({{{-6, 4, 4}, {6, 12, 24}},
                                                      {{-1, 12, 6}, {1, 18, 12}},

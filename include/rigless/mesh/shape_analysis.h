@@ -17,7 +17,8 @@ struct ShapeAnalysis {
 // Guesses from V vertices in any axes and units and F faces. A guess may be wrong and is meant to be shown. Allocates;
 // about 0.2 s in WASM, whatever V is. Errors: no_faces; index_out_of_range (where: face); not_finite (where: vertex).
 // On failure `out` keeps what it had. `posture`: how the mesh stands, where that is known; `file`: how files of
-// its kind do; landmarks: places that are named already. Those of a role stand for all of that role, feet for forelegs too.
+// its kind do; landmarks: places that are named already. Those of a role stand for all of that role, feet for forelegs
+// too.
 template <class S>
 Status analyse_shape(Span<const Vec3<S>> vertices, Span<const Face> faces, ShapeAnalysis<S>& out,
                      const Posture<S>* posture = nullptr, FileAxes file = FileAxes::unknown,

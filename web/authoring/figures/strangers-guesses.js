@@ -1,7 +1,7 @@
 // What is guessed of models that nobody here made, against what eyes see: how they stand, and which limbs they have. Nothing is baked.
 // Run: node web/authoring/figures/strangers-guesses.js --models <folder> [--hostile] [--only <pattern>] [--all]
 // Truth lies in docs/figures/strangers.json. Right is: up, front, and of head, hands and feet as many as the truth says, hands and feet
-// on their own sides. --all prints right ones too.
+// on their own sides. --all prints right ones too, --nameless leaves joints and parts without names.
 import { readdirSync, readFileSync } from "node:fs";
 import { extname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -11,7 +11,13 @@ import { glbBytes, HOSTILE, objText } from "../strangers/hostile.js";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
 const { values: asked } = parseArgs({
-  options: { models: { type: "string" }, hostile: { type: "boolean" }, only: { type: "string", default: "" }, all: { type: "boolean" } },
+  options: {
+    models: { type: "string" },
+    hostile: { type: "boolean" },
+    only: { type: "string", default: "" },
+    all: { type: "boolean" },
+    nameless: { type: "boolean" },
+  },
 });
 if (!asked.models && !asked.hostile) throw new Error("--models <folder>, --hostile or both are needed.");
 
@@ -87,7 +93,7 @@ const beside = rows.some(({ file }) => extname(file) === ".gltf")
   : [];
 const tally = { models: 0, up: 0, front: 0, limbs: 0, all: 0 };
 async function judge(row, model) {
-  const input = shapeInput(model);
+  const input = shapeInput({ ...model, joints: asked.nameless ? [] : model.joints });
   const said = analyseShape({ mesh: input, wasm });
   const faults = faultsOf(row, said, model.positions);
   tally.models++;
@@ -126,8 +132,7 @@ for (const [name, make] of asked.hostile ? Object.entries(HOSTILE) : []) {
     truth: { ...truth, limbs: { ...limbs, ...(count("foot") && { legs: count("foot") }) } },
   };
   const bytes = format === "glb" ? glbBytes(made) : new TextEncoder().encode(objText(made));
-  const { joints, ...model } = await readModel([{ name: `${name}.${format}`, bytes }]);
-  await judge(row, model);
+  await judge(row, { ...(await readModel([{ name: `${name}.${format}`, bytes }])), joints: [] });
 }
 const share = (n) => `${n} (${((100 * n) / tally.models).toFixed(0)} %)`;
 console.log(

@@ -19,7 +19,8 @@ const HELPERS = set(
   "ik fk pole target control ctrl pt slot handslot socket weapon anchor scale roll gun prop kneeik elbowik handik heelik",
 );
 const WINGS = set("wing wings fin fins flipper flippers");
-const LEGS = set("leg legs foot feet paw paws hoof hooves knee thigh shin ankle");
+const FEET = set("foot feet paw paws hoof hooves ankle");
+const LEGS = new Set([...FEET, ...set("leg legs knee thigh shin")]);
 const ON_HEADS = set("ear ears hair bang bun hat cap helmet horn horns antler antlers antenna tongue");
 const WHICH = new Map<string, string>(
   Object.entries({ front: "front fore", mid: "mid middle", back: "back rear hind", top: "top", bottom: "bottom" }).flatMap(
@@ -46,10 +47,10 @@ function limbOf(words: readonly string[], { side, part }: { side: Side; part: Bo
   const of = (kind: LimbName["kind"], own = ""): LimbName => ({ kind, side, part, which: own });
   if (has(HELPERS)) return of("helper");
   if (words.includes("tail")) return of("tail");
-  if (side !== null && has(WINGS)) return of("wing", which);
+  if (side !== null && has(WINGS)) return of("wing", which === "front" || which === "back" ? which : "");
   if (side !== null && which !== "" && (has(LEGS) || OF_LEGS.has(part) || OF_ARMS.has(part))) {
     if (!has(LEGS) && part === "finger") return of("arm");
-    return of("leg", which);
+    return { ...of("leg", which), part: has(FEET) ? "foot" : part === "finger" ? null : part };
   }
   if (side !== null && (OF_LEGS.has(part) || OF_ARMS.has(part))) return of(OF_LEGS.has(part) ? "leg" : "arm");
   return of(part === "head" && !has(ON_HEADS) ? "head" : null);

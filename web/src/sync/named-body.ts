@@ -75,7 +75,12 @@ class NamedBodyReader {
       const key = `${kind} ${side} ${which}`;
       groups.set(key, [...(groups.get(key) ?? []), j]);
     });
-    for (const group of groups.values()) this.limbs.push(this.limbOf(group));
+    for (const group of groups.values()) {
+      const limb = this.limbOf(group);
+      const { kind, part } = this.names[group[0]];
+      if (kind === "arm" && part === "upper_arm" && limb.end === limb.base) continue; // a shoulder alone, as wings hang on
+      this.limbs.push(limb);
+    }
   }
 
   read(axes: FileAxes): NamedBody {
@@ -192,8 +197,9 @@ class NamedBodyReader {
     };
     const arms = this.limbs.some(({ kind, which }, n) => (kind === "arm" || which === "front") && !onGround(n, 0.06));
     const hindEnds = mean(this.limbs.flatMap(({ kind, which }, n) => (kind === "leg" && which !== "front" ? [ends[n]] : [])));
-    const bases = (some: Limb["kind"]): Place[] => this.limbs.flatMap(({ kind, base }) => (kind === some ? [base] : []));
-    const [hips, shoulders] = [bases("leg"), bases("arm")];
+    const bases = (fore: boolean): Place[] =>
+      this.limbs.flatMap(({ kind, which, base }) => (kind !== "wing" && (kind === "arm" || which === "front") === fore ? [base] : []));
+    const [hips, shoulders] = [bases(false), bases(true)];
     const trunk = minus(mean(shoulders), mean(hips));
     const level = dot(trunk, front) > dot(trunk, up);
     this.limbs.forEach((limb, n) => {
@@ -209,8 +215,10 @@ class NamedBodyReader {
       if (fore && !(stands && before)) mark("hand", ends[n], side);
       else mark("foot", onGround(n, 0.15) ? grounded(ends[n]) : ends[n], side);
     });
-    if (hips.length === 2) mark("hips", mean(hips));
-    if (hips.length === 2 && shoulders.length === 2) mark("chest", plus(mean(hips), trunk, 0.7));
+    if (hips.length === 2 && height(mean(hips)) - low > 0.15 * tall) {
+      mark("hips", mean(hips));
+      if (shoulders.length === 2) mark("chest", plus(mean(hips), trunk, 0.7));
+    }
     for (const j of this.heads) mark("head", this.at(j));
     this.names.forEach(({ kind }, j) => {
       if (kind !== "helper" && !this.heads.includes(j)) mark("tip", this.at(j));

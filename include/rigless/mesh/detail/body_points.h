@@ -37,16 +37,13 @@ class BodyReader {
     find_tips();
     center_ = static_cast<std::int32_t>(std::min_element(average_.begin(), average_.end()) - average_.begin());
     head_ = find_head();
+    for (const Landmark<S>& hand : named_)
+      if (hand.role == BodyRole::hand) add(take(hand), BodyRole::hand, true, hand.side);
     if (is_named(BodyRole::foot)) {
       add_named_feet();
     } else {
       add_feet();
-    }
-    if (is_named(BodyRole::hand)) {
-      for (const Landmark<S>& hand : named_)
-        if (hand.role == BodyRole::hand) add(take(hand), BodyRole::hand, true, hand.side);
-    } else if (!is_named(BodyRole::foot)) {
-      add_hands();
+      if (!is_named(BodyRole::hand)) add_hands();
     }
     add(head_, BodyRole::head, true, 0);
     add_trunk();
@@ -168,7 +165,8 @@ class BodyReader {
     }
     if (tip == nullptr)
       return best_node([&](const Vec3<S>& p) { return -off(p, landmark) - (is_its(p) ? S(0) : S(20)); });
-    tip->used = true;
+    for (Tip& t : tips_)
+      if (off(place(t.node), landmark) < S(0.12) && is_its(place(t.node))) t.used = true;
     return tip->node;
   }
 
@@ -180,8 +178,8 @@ class BodyReader {
     if (!is_named(BodyRole::head)) return beside;
     for (std::size_t i = 0; i < place_.size(); ++i) {
       const auto off = [&](const Landmark<S>& one) { return (one.position - place_[i]).squaredNorm(); };
-      const auto nearest = std::min_element(named_.begin(), named_.end(),
-                                            [&](const auto& a, const auto& b) { return off(a) < off(b); });
+      const auto nearest =
+          std::min_element(named_.begin(), named_.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
       beside[i] = nearest->role == BodyRole::head ? 0 : 1;
     }
     if (std::find(beside.begin(), beside.end(), 0) == beside.end()) beside.assign(place_.size(), 0);
@@ -223,7 +221,7 @@ class BodyReader {
     std::vector<std::size_t> feet;
     S middle = 0;
     for (std::size_t t = 0; t < tips_.size(); ++t) {
-      if (place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
+      if (tips_[t].used || place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
       if (place(nth(tips_, tips_[t].partner).node).y() > S(0.12)) continue;
       feet.push_back(t);
     }
@@ -273,25 +271,27 @@ class BodyReader {
     }
   }
 
-  // The most prominent pair that is no ears and no horns: those are nearer to the head than to the middle, or stout.
+  // The most prominent pair that is no ears and no horns: slender, else well nearer to the middle than to the head.
   void add_hands() {
     const std::vector<S> from_head = node_distances(graph_, head_), from_center = node_distances(graph_, center_);
-    const auto is_arm = [&](const Tip& t) {
+    const auto is_arm = [&](const Tip& t, bool slender) {
       const auto node = to_size(t.node);
-      if (t.used || from_head[node] < S(0.75) * from_center[node]) return false;
-      if (from_head[node] > S(0.9) * from_center[node]) return true;
+      if (t.used || from_head[node] < (slender ? S(0.75) : S(0.9)) * from_center[node]) return false;
+      if (!slender) return true;
       const Limb<S> limb = find_limb(graph_, t.node, S(0.7) * tall_);
       return limb.length > S(0.3) * tall_ && limb.length > S(2) * limb.girth;
     };
-    for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
-      if (tips_[t].partner < 0) continue;
-      Tip& other = nth(tips_, tips_[t].partner);
-      if (!is_arm(tips_[t]) || !is_arm(other)) continue;
-      for (Tip* hand : {&tips_[t], &other}) {
-        hand->used = true;
-        add(hand->node, BodyRole::hand, true, side_of(*hand));
+    for (const bool slender : {true, false}) {
+      for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
+        if (tips_[t].partner < 0) continue;
+        Tip& other = nth(tips_, tips_[t].partner);
+        if (!is_arm(tips_[t], slender) || !is_arm(other, slender)) continue;
+        for (Tip* hand : {&tips_[t], &other}) {
+          hand->used = true;
+          add(hand->node, BodyRole::hand, true, side_of(*hand));
+        }
+        return;
       }
-      return;
     }
   }
 
@@ -304,10 +304,18 @@ class BodyReader {
       return;
     }
     // The middle of all is above the belly, since arms and head count.
+    const S belly = S(0.72) * place(center_).y();
     const Landmark<S>*hips = named(BodyRole::hips), *chest = named(BodyRole::chest);
-    const S belly = hips != nullptr ? hips->position.y() : S(0.72) * place(center_).y();
-    add(front_at(belly), BodyRole::hips, true, 0);
-    add(front_at(chest != nullptr ? chest->position.y() : (belly + place(head_).y()) / S(2)), BodyRole::chest, true, 0);
+    add(hips != nullptr ? beside(*hips) : front_at(belly), BodyRole::hips, true, 0);
+    add(chest != nullptr ? beside(*chest) : front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, true, 0);
+  }
+
+  // On the surface around a place within the trunk, before it or behind it.
+  std::int32_t beside(const Landmark<S>& inner) const {
+    return best_node([&](const Vec3<S>& p) {
+      const Vec3<S> off = p - inner.position;
+      return -off.norm() - (std::abs(off.x()) > middle_ ? S(10) : S(0));
+    });
   }
 
   std::int32_t front_at(S height) const {
@@ -385,9 +393,9 @@ class BodyReader {
   Posture<S> posture_;
   SymmetryPlane<S> plane_;
   std::vector<Landmark<S>> named_;  // as place_
-  std::vector<Vec3<S>> place_;  // N: left, up from the ground, forward; in heights
-  S tall_ = S(1);               // of the body, in the file's units
-  S middle_ = S(0);             // as far from the plane is still the middle
+  std::vector<Vec3<S>> place_;      // N: left, up from the ground, forward; in heights
+  S tall_ = S(1);                   // of the body, in the file's units
+  S middle_ = S(0);                 // as far from the plane is still the middle
   std::vector<Tip> tips_;
   std::vector<BodyPoint<S>> points_;  // `vertex` is a node until read() ends
   std::size_t legs_ = 0;

@@ -26,7 +26,7 @@ S usual_up(FileAxes file, const Vec3<S>& up) {
 
 template <class S>
 S usual_front(FileAxes file) {
-  return file == FileAxes::y_up_by_rule ? S(0.25) : file == FileAxes::unknown ? S(0.01) : S(0.08);
+  return file == FileAxes::y_up_by_rule ? S(0.32) : file == FileAxes::unknown ? S(0.01) : S(0.08);
 }
 
 // Axis k of 0 .. 5: +x, -x, +y, -y, +z, -z.
@@ -60,8 +60,7 @@ bool stands_astride(Span<const Vec3<S>> samples, const SymmetryPlane<S>& plane, 
 // What speaks for an axis being up: the weight of a body is over what it stands on, which is mostly two tips or four,
 // and a narrow body is upright, surely so on two legs.
 template <class S>
-S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const SymmetryPlane<S>& plane,
-              const Vec3<S>& up) {
+S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const SymmetryPlane<S>& plane, const Vec3<S>& up) {
   const Bounds<S> box = bounds(samples);
   const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
   Bounds<S> base{box.high, box.low};
@@ -81,8 +80,8 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Symme
     deep = std::min(deep, box.extent()[k]);
   }
   S score = 0;
-  const bool astride = tall > S(0.85) * wide && tall > S(1.2) * deep &&
-                       stands_astride(samples, plane, up, low + S(0.3) * tall);
+  const bool astride =
+      tall > S(0.85) * wide && tall > S(1.2) * deep && stands_astride(samples, plane, up, low + S(0.3) * tall);
   if ((off.array() <= room.array()).all()) score += standing >= 4 ? S(2.5) : standing >= 2 || astride ? S(2) : S(1);
   score += astride ? S(2) : S(0);
   score += tall > S(1.05) * wide ? S(0.7) : tall < S(0.95) * deep ? S(-0.5) : S(0);
@@ -181,8 +180,7 @@ PostureGuess<S> guess_posture(Span<const Vec3<S>> samples, Span<const Vec3<S>> t
   posture.front = posture.up.cross(Vec3<S>::Unit(across)).cwiseAbs();
   if (std::abs(posture.up.z()) > S(0.5)) posture.front = -posture.front;  // the front of a file whose z is up is -y
   const bool usual = std::abs(posture.front.x()) < S(0.5);
-  const S forward =
-      forwardness(samples, posture.up, posture.front) + usual_front<S>(usual ? file : FileAxes::unknown);
+  const S forward = forwardness(samples, posture.up, posture.front) + usual_front<S>(usual ? file : FileAxes::unknown);
   if (forward < S(0)) posture.front = -posture.front;
   posture.left = posture.up.cross(posture.front);
   guess.sure = std::min({S(1), best - second, S(10) * std::abs(forward)});

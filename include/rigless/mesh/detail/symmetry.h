@@ -70,7 +70,7 @@ class SymmetryFinder {
       if (candidate.misfit > S(0.035)) continue;
       candidate = refined(candidate);
       const S cost = candidate.misfit - (pairs_tips(candidate, tips) ? S(0.01) : S(0)) -
-                     (std::abs(candidate.normal.dot(left)) > S(0.9) ? S(0.012) : S(0));
+                     (std::abs(candidate.normal.dot(left)) > S(0.9) ? S(0.02) : S(0));
       if (cost >= least - S(0.002)) continue;
       least = cost;
       best = candidate;

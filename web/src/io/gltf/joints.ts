@@ -24,27 +24,44 @@ export function jointsOf(document: GltfDocument, view: View): Joint[] {
     const parent = above === undefined ? null : (rank.get(above) ?? null);
     const at = world[node];
     const position = [12, 13, 14].map((k) => at[k] - view.origin[k - 12]) as [number, number, number];
-    rank.set(node, joints.push({ name, parent, position: parts?.get(node) ?? position }) - 1);
+    const part = parts?.get(node);
+    const joint = joints.push({ name, parent, position: part?.middle ?? position }) - 1;
+    rank.set(node, joint);
+    if (part) joints.push({ name: `${name} end`, parent: joint, position: part.end });
   }
   return joints;
 }
 
-/** By node that shows something: its vertex that is farthest from the middle of all. */
-function partEnds({ drawn: { instances, positions } }: View): Map<number, [number, number, number]> {
-  const middle = [0, 1, 2].map((k) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = k; i < positions.length; i += 3) [low, high] = [Math.min(low, positions[i]), Math.max(high, positions[i])];
-    return (low + high) / 2;
-  });
-  const ends = new Map<number, { end: [number, number, number]; off: number }>();
-  for (const { node, first, count } of instances) {
-    for (let i = 3 * first; i < 3 * (first + count); i += 3) {
-      const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2]];
-      const off = Math.hypot(x - middle[0], y - middle[1], z - middle[2]);
-      if (off > (ends.get(node)?.off ?? -1)) ends.set(node, { end: [x, y, z], off });
+type Place = [number, number, number];
+
+/** By node that shows something: its middle, and its vertex that is farthest from the middle of all. */
+function partEnds({ drawn: { instances, positions } }: View): Map<number, { middle: Place; end: Place }> {
+  const ranges = new Map<number, [from: number, to: number][]>();
+  for (const { node, first, count } of instances) ranges.set(node, [...(ranges.get(node) ?? []), [3 * first, 3 * (first + count)]]);
+  const middle = middleOf(positions, [[0, positions.length]]);
+  const endOf = (own: readonly [number, number][]): Place => {
+    let [best, off] = [0, -1];
+    for (const [from, to] of own) {
+      for (let i = from; i < to; i += 3) {
+        const far = Math.hypot(positions[i] - middle[0], positions[i + 1] - middle[1], positions[i + 2] - middle[2]);
+        if (far > off) [best, off] = [i, far];
+      }
+    }
+    return [positions[best], positions[best + 1], positions[best + 2]];
+  };
+  return new Map([...ranges].map(([node, own]) => [node, { middle: middleOf(positions, own), end: endOf(own) }]));
+}
+
+function middleOf(positions: Float32Array, ranges: readonly [number, number][]): Place {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const [from, to] of ranges) {
+    for (let i = from; i < to; i++) {
+      low[i % 3] = Math.min(low[i % 3], positions[i]);
+      high[i % 3] = Math.max(high[i % 3], positions[i]);
     }
   }
-  return new Map([...ends].map(([node, { end }]) => [node, end]));
+  return [0, 1, 2].map((k) => (low[k] + high[k]) / 2) as Place;
 }
 
 /** The document with a skin that nothing hangs on: joints keep their names, which say what stands there. */
