@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import { createRigless, DocumentError, EngineError, type Mesh, ModelError, type Rigless } from "../../src/package/node";
+import { PERSON, skeleton, turnTo, VOCABULARIES } from "../support/skeletons";
 import { nod, post } from "./engine-support";
 
 /** A cube, which looks the same from everywhere. */
@@ -41,6 +42,13 @@ describe("import rigless", () => {
     const { positions, faces } = cube();
     const up = async (file: string): Promise<string> => (await rigless.retarget({ mesh: { positions, faces, file }, motion: nods })).up;
     expect([await up("crate.obj"), await up("crate.STL"), await up("crate.glb")]).toEqual(["+y", "+z", "+y"]);
+  });
+
+  it("hears the joints that a mesh's file brings", async () => {
+    const joints = skeleton(PERSON, VOCABULARIES.mixamo, turnTo([0, 1, 0], [-1, 0, 0]));
+    const dance = await rigless.retarget({ mesh: { positions, faces, joints }, motion: nods });
+    expect(dance).toMatchObject({ up: "+y", facing: "-x" });
+    expect(dance.points.map(({ name }) => name)).toEqual(expect.arrayContaining(["Left hand", "Right hand"]));
   });
 
   it("answers in the mesh's own units and axes", async () => {
