@@ -45,12 +45,29 @@ export function namedPicture(path: string, files: readonly NamedFile[], from: st
   return { name, picture: null };
 }
 
-/** Width and height of a PNG, JPEG or WebP; zeros where they cannot be told. */
+/** Pictures as they are shown and written: those that a GLB may not hold become PNG. */
+export async function presentable(pictures: readonly BuiltPicture[], notes: string[]): Promise<BuiltPicture[]> {
+  const foreign = ({ picture }: BuiltPicture): boolean => picture?.drawn === true && ["image/bmp", "image/x-tga"].includes(picture.mime);
+  if (!pictures.some(foreign)) return [...pictures];
+  const { asPng } = await import("./pictures-as-png");
+  const made = new Map<Picture, Picture>(); // several textures may show one picture
+  return pictures.map((built) => {
+    const { name, picture } = built;
+    if (!picture || !foreign(built)) return built;
+    const png = made.get(picture) ?? asPng(name, picture, notes);
+    made.set(picture, png);
+    return { ...built, picture: png };
+  });
+}
+
+/** Width and height of a picture that we show; zeros where they cannot be told. */
 function pictureSize(bytes: Uint8Array): [number, number] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (bytes.length < 30) return [0, 0];
+  if (bytes.length < 30 || !pictureFormat(bytes)) return [0, 0];
   if (bytes[0] === 0x89) return [view.getUint32(16), view.getUint32(20)];
   if (bytes[0] === 0x52) return webpSize(view);
+  if (bytes[0] === 0x42) return [Math.abs(view.getInt32(18, true)), Math.abs(view.getInt32(22, true))];
+  if (bytes[0] !== 0xff) return [view.getUint16(12, true), view.getUint16(14, true)]; // TGA
   // JPEG: segments until the one that begins a frame.
   for (let at = 2; at + 9 < bytes.length; ) {
     if (bytes[at] !== 0xff) return [0, 0];
