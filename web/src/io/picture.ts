@@ -28,6 +28,14 @@ export const PICTURES: readonly (Format & Required<Pick<Format, "is">>)[] = [
     mediaType: "image/webp",
     is: ({ bytes }) => starts(bytes, 0, 0x52, 0x49, 0x46, 0x46) && starts(bytes, 8, 0x57, 0x45, 0x42, 0x50),
   },
+  {
+    id: "ktx2",
+    kind: "picture",
+    words: "KTX2",
+    extensions: ["ktx2"],
+    mediaType: "image/ktx2",
+    is: ({ bytes }) => starts(bytes, 0, 0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb),
+  },
   { id: "bmp", kind: "picture", words: "BMP", extensions: ["bmp", "dib"], mediaType: "image/bmp", is: ({ bytes }) => isBmp(bytes) },
   { id: "tga", kind: "picture", words: "TGA", extensions: ["tga"], mediaType: "image/x-tga", is: ({ bytes }) => isTga(bytes) },
 ];

@@ -94,3 +94,28 @@ describe("pictures that a GLB may not hold", () => {
     }
   });
 });
+
+describe("KTX2", () => {
+  /** Only what is looked at before a worker decodes it. */
+  function ktx2(vkFormat: number): Uint8Array {
+    const out = new Uint8Array(160);
+    const view = new DataView(out.buffer);
+    out.set([0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb, 0x0d, 0x0a, 0x1a, 0x0a]);
+    [vkFormat, 1, 8, 4].forEach((word, k) => view.setUint32(12 + 4 * k, word, true));
+    return out;
+  }
+
+  it("is drawn where it is for any graphics card, and kept in a model that is built as glTF names it", async () => {
+    const { document, notes } = await obj({ name: "fur.ktx2", bytes: ktx2(0) });
+    expect(notes).toEqual([]);
+    expect(document.images).toMatchObject([{ mime: "image/ktx2", drawn: true }]);
+    expect(document.json.textures).toEqual([{ extensions: { KHR_texture_basisu: { source: 0 } } }]);
+    expect(document.json.extensionsUsed).toEqual(["KHR_texture_basisu"]);
+  });
+
+  it("is kept and said where it is for one kind of card", async () => {
+    const { document, notes } = await obj({ name: "fur.ktx2", bytes: ktx2(145) }); // BC7
+    expect(document.images).toMatchObject([{ bytes: ktx2(145), drawn: false }]);
+    expect(notes).toEqual([expect.stringMatching(/^fur\.ktx2 is a KTX2 picture for one kind of graphics card, kept but not shown\./)]);
+  });
+});
