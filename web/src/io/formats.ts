@@ -106,7 +106,7 @@ const MODELS = [
     extensions: ["usdz", "usda", "usdc", "usd"],
     mediaType: "model/vnd.usdz+zip",
     is: ({ bytes, head }) => /^(#usda|PXR-USDC)/.test(head) || isArchiveStartingWith(bytes, /\.usd[ac]?$/i),
-    names: (text) => all(text, /@([^@\r\n]+\.(?:png|jpe?g|webp))@/gi),
+    names: (text) => all(text, /@([^@\r\n]+\.(?:png|jpe?g|webp|bmp|tga))@/gi),
   },
 ] as const satisfies readonly ModelFormat[];
 

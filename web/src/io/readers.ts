@@ -5,6 +5,7 @@ import type { ModelId } from "./formats";
 import { type Built, buildDocument } from "./gltf/build";
 import { type Joint, withJoints } from "./gltf/joints";
 import type { NamedFile } from "./named-file";
+import { presentable } from "./take-picture";
 
 /** What the reader of a model is given. */
 export interface ModelSource {
@@ -21,14 +22,19 @@ export interface ModelSource {
 
 type Reader = (source: ModelSource) => Promise<GltfDocument>;
 
-const gltf: Reader = async ({ name, file, files, notes }) => (await import("./gltf/read")).readDocument(name, file, files, notes);
+const gltf: Reader = async ({ name, file, files, notes }) => {
+  const document = await (await import("./gltf/read")).readDocument(name, file, files, notes);
+  const named = document.images.map((picture, i) => ({ name: document.json.images?.[i].name ?? `Picture ${i + 1}`, picture }));
+  return { ...document, images: (await presentable(named, notes)).map(({ picture }) => picture) };
+};
 
 /** A reader that finds parts. */
 const parts =
   (read: (source: ModelSource) => Promise<Built & { readonly joints?: readonly Joint[] }>): Reader =>
   async (source) => {
     const built = await read(source);
-    return withJoints(buildDocument(source.name, built), built.joints ?? []);
+    const pictures = await presentable(built.pictures ?? [], source.notes);
+    return withJoints(buildDocument(source.name, { ...built, pictures }), built.joints ?? []);
   };
 
 export const READERS: Readonly<Record<ModelId, Reader>> = {

@@ -1,7 +1,7 @@
 // A model's picture, looked at before anybody decodes it: a few bytes can promise gigabytes of pixels.
 
 import type { Picture } from "../gltf/document";
-import { starts, wordList } from "./format";
+import { type Format, starts, wordList } from "./format";
 import type { BuiltPicture } from "./gltf/build";
 import { baseName, findFile, type NamedFile } from "./named-file";
 import { PICTURES, pictureFormat } from "./picture";
@@ -9,14 +9,10 @@ import { PICTURES, pictureFormat } from "./picture";
 /** Pixels of one picture: 8,192 x 8,192. */
 const MOST_PIXELS = 2 ** 26;
 
-function isKtx2(bytes: Uint8Array): boolean {
-  return starts(bytes, 0, 0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb);
-}
-
 /** What lies beside a model and is no picture is none of its business, nor of whoever gets the dance. */
 export function takeOutside(name: string, bytes: Uint8Array, notes: string[]): Picture | null {
-  const picture = takePicture(name, bytes, isKtx2(bytes) ? "image/ktx2" : undefined, notes);
-  return pictureFormat(bytes) || isKtx2(bytes) ? picture : null;
+  const picture = takePicture(name, bytes, undefined, notes);
+  return pictureFormat(bytes) ? picture : null;
 }
 
 /** Its bytes are kept whatever they are; a note says why a picture is not drawn. `mime`: what its file says it is. */
@@ -27,11 +23,14 @@ export function takePicture(name: string, bytes: Uint8Array, mime: string | unde
     PICTURES.map((known) => known.words),
     "or",
   );
-  if (isKtx2(bytes)) notes.push(`${name} is a KTX2 picture, kept but not shown. Save the model with PNG, JPEG or WebP pictures to see it.`);
-  else if (!format) notes.push(`${name} is not a ${words} picture; we show the model without it.`);
+  if (!format) notes.push(`${name} is not a ${words} picture; we show the model without it.`);
   else if (width * height > MOST_PIXELS) {
     notes.push(`${name} has ${width.toLocaleString("en-US")} x ${height.toLocaleString("en-US")} pixels, too many to be shown.`);
   } else if (width * height === 0) notes.push(`${name} is a broken ${format.words} picture; we show the model without it.`);
+  else if (isForOneCard(format, bytes)) {
+    notes.push(`${name} is a KTX2 picture for one kind of graphics card, kept but not shown. Save it as Basis Universal, PNG or WebP.`);
+    return { bytes, mime: format.mediaType, drawn: false };
+  }
   const drawn = format !== undefined && width * height > 0 && width * height <= MOST_PIXELS;
   return { bytes, mime: format?.mediaType ?? mime ?? "application/octet-stream", drawn };
 }
@@ -45,12 +44,35 @@ export function namedPicture(path: string, files: readonly NamedFile[], from: st
   return { name, picture: null };
 }
 
-/** Width and height of a PNG, JPEG or WebP; zeros where they cannot be told. */
+/** A KTX2 that names the card's own format; one that names none is for any. */
+function isForOneCard({ id }: Format, bytes: Uint8Array): boolean {
+  return id === "ktx2" && !starts(bytes, 12, 0, 0, 0, 0);
+}
+
+/** Pictures as they are shown and written: those that a GLB may not hold become PNG. */
+export async function presentable(pictures: readonly BuiltPicture[], notes: string[]): Promise<BuiltPicture[]> {
+  const foreign = ({ picture }: BuiltPicture): boolean => picture?.drawn === true && ["image/bmp", "image/x-tga"].includes(picture.mime);
+  if (!pictures.some(foreign)) return [...pictures];
+  const { asPng } = await import("./pictures-as-png");
+  const made = new Map<Picture, Picture>(); // several textures may show one picture
+  return pictures.map((built) => {
+    const { name, picture } = built;
+    if (!picture || !foreign(built)) return built;
+    const png = made.get(picture) ?? asPng(name, picture, notes);
+    made.set(picture, png);
+    return { ...built, picture: png };
+  });
+}
+
+/** Width and height of a picture that we show; zeros where they cannot be told. */
 function pictureSize(bytes: Uint8Array): [number, number] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (bytes.length < 30) return [0, 0];
+  if (bytes.length < 30 || !pictureFormat(bytes)) return [0, 0];
   if (bytes[0] === 0x89) return [view.getUint32(16), view.getUint32(20)];
   if (bytes[0] === 0x52) return webpSize(view);
+  if (bytes[0] === 0xab) return [view.getUint32(20, true), view.getUint32(24, true)];
+  if (bytes[0] === 0x42) return [Math.abs(view.getInt32(18, true)), Math.abs(view.getInt32(22, true))];
+  if (bytes[0] !== 0xff) return [view.getUint16(12, true), view.getUint16(14, true)]; // TGA
   // JPEG: segments until the one that begins a frame.
   for (let at = 2; at + 9 < bytes.length; ) {
     if (bytes[at] !== 0xff) return [0, 0];

@@ -32,7 +32,7 @@ export class Figures {
   async setModel(model: DrawnModel | null): Promise<boolean> {
     const figure = this.place(model);
     if (!figure || !model) return true;
-    const look = await this.looks.then(({ loadLook }) => loadLook(model.document, model.instances)).catch(clay);
+    const look = await this.looks.then(({ loadLook }) => loadLook(model.document, model.instances, this.scenery.renderer)).catch(clay);
     if (this.model !== figure) look?.dispose();
     else {
       figure.dress(look);

@@ -8,8 +8,10 @@ import {
   type InterleavedBufferAttribute,
   type Material,
   Mesh,
+  MeshStandardMaterial,
   ReplaceStencilOp,
   Texture,
+  type WebGLRenderer,
 } from "three";
 import { type GLTFLoaderPlugin, GLTFLoader, type GLTFParser } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { dressBare } from "../gltf/bare";
@@ -26,8 +28,11 @@ export interface Look {
   dispose(): void;
 }
 
-/** Errors: three's own, for what it cannot make sense of. */
-export async function loadLook(document: GltfDocument, instances: readonly DrawnInstance[]): Promise<Look> {
+/** Mirrors enough that it would be dark without surroundings. */
+const LEAST_METAL = 0.2;
+
+/** With a renderer, metal mirrors a room. Errors: three's own, for what it cannot make sense of. */
+export async function loadLook(document: GltfDocument, instances: readonly DrawnInstance[], renderer?: WebGLRenderer): Promise<Look> {
   const json = dressOnly(dressBare(document.json));
   const textures = new Set<Texture>();
   const loader = new GLTFLoader().register((parser) => fromDocument(document, parser, textures));
@@ -46,6 +51,8 @@ export async function loadLook(document: GltfDocument, instances: readonly Drawn
     marked(made);
     return made;
   });
+  const metal = [...new Set(materials)].filter((material) => material instanceof MeshStandardMaterial && material.metalness > LEAST_METAL);
+  const room = renderer && metal.length > 0 ? (await import("./reflections")).reflect(metal, renderer) : null;
   return {
     materials,
     attributes: meshes.map(({ geometry: { attributes } }) => {
@@ -55,6 +62,7 @@ export async function loadLook(document: GltfDocument, instances: readonly Drawn
     dispose: () => {
       for (const made of [...materials, ...textures]) made.dispose();
       for (const { geometry } of meshes) geometry.dispose();
+      room?.dispose();
     },
   };
 }
@@ -129,7 +137,8 @@ function fromDocument({ json, buffers, images }: GltfDocument, parser: GLTFParse
     loadTexture: async (index) => {
       const { source, extensions } = json.textures![index]!;
       const webp = extensions?.["EXT_texture_webp"] as { source?: number } | undefined;
-      const shown = [webp?.source, source].find((image) => image !== undefined && images[image]?.drawn === true);
+      const basis = extensions?.["KHR_texture_basisu"] as { source?: number } | undefined;
+      const shown = [basis?.source, webp?.source, source].find((image) => image !== undefined && images[image]?.drawn === true);
       // GLTFLoader goes on without a texture that is null, though its types do not say so.
       if (shown === undefined) return null as unknown as Texture;
       return parser.loadTextureImage(index, shown, parser.textureLoader) as Promise<Texture>;
@@ -139,8 +148,9 @@ function fromDocument({ json, buffers, images }: GltfDocument, parser: GLTFParse
 }
 
 async function decoded(bytes: Uint8Array, mime: string): Promise<Texture> {
-  const blob = new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mime });
-  const texture = new Texture(await createImageBitmap(blob, { premultiplyAlpha: "none", colorSpaceConversion: "none" }));
+  const image =
+    mime === "image/ktx2" ? await (await import("./ktx2")).decodeKtx2(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mime });
+  const texture = new Texture(await createImageBitmap(image, { premultiplyAlpha: "none", colorSpaceConversion: "none" }));
   texture.anisotropy = 4;
   texture.needsUpdate = true;
   return texture;

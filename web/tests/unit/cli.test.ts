@@ -268,7 +268,7 @@ describe("what cannot be done", () => {
     const bake = () => rigless("bake", "inside/project.json", "--out", "dance.glb", "--anyway");
     const alone = await bake();
     expect(alone.stderr).toContain("note: This model names secret.png, diary.png; drop them too.\n");
-    expect(alone.stderr).toContain("note: notes.txt is not a PNG, JPEG or WebP picture; we show the model without it.\n");
+    expect(alone.stderr).toContain("note: notes.txt is not a PNG, JPEG, WebP, KTX2, BMP or TGA picture; we show the model without it.\n");
     expect((await openGlb(bytesOf("dance.glb"))).images).toEqual([null, null, null]);
     writeFileSync(join(inside, "secret.png"), PNG);
     await bake();

@@ -171,6 +171,9 @@ function packRows(packer: Packer, rows: readonly Row[], kept: Float32Array, vert
 }
 
 /** A texture for each picture; one picture's bytes are packed once. */
+/** Pictures that a texture names in an extension. */
+const BY_EXTENSION: Readonly<Record<string, string>> = { "image/webp": "EXT_texture_webp", "image/ktx2": "KHR_texture_basisu" };
+
 function packPictures(packer: Packer, pictures: readonly BuiltPicture[]): Pick<Gltf, "textures" | "images" | "samplers"> {
   if (pictures.length === 0) return {};
   const views = new Map<Uint8Array, number>();
@@ -185,7 +188,7 @@ function packPictures(packer: Packer, pictures: readonly BuiltPicture[]): Pick<G
       picture ? { name, mimeType: picture.mime, bufferView: viewOf(picture) } : { name, uri: encodeURI(name) },
     ),
     textures: pictures.map(({ picture, sampler }, source) => ({
-      ...(picture?.mime === "image/webp" ? { extensions: { EXT_texture_webp: { source } } } : { source }),
+      ...(picture && BY_EXTENSION[picture.mime] ? { extensions: { [BY_EXTENSION[picture.mime]]: { source } } } : { source }),
       ...(sampler && { sampler: samplers.indexOf(sampler) }),
     })),
     ...(samplers.length > 0 && { samplers }),
@@ -194,7 +197,7 @@ function packPictures(packer: Packer, pictures: readonly BuiltPicture[]): Pick<G
 
 /** All that materials name, their textures' too. */
 function extensionsOf(materials: readonly GltfMaterial[], pictures: readonly BuiltPicture[]): string[] {
-  const names = new Set(pictures.some(({ picture }) => picture?.mime === "image/webp") ? ["EXT_texture_webp"] : []);
+  const names = new Set(pictures.flatMap(({ picture }) => BY_EXTENSION[picture?.mime ?? ""] ?? []));
   JSON.stringify(materials, (key, value: unknown) => {
     if (key === "extensions" && typeof value === "object" && value) for (const name of Object.keys(value)) names.add(name);
     return value;
