@@ -26,7 +26,9 @@ test.beforeAll(async () => {
 
 test.afterAll(() => server.close());
 
-test("the card carries every vertex to where the core does, and turns the normals by the map's gradient", async ({ page }) => {
+test("the card carries vertices to where the core does and turns normals by the map's gradient; light and shadow agree", async ({
+  page,
+}) => {
   await page.goto(`http://localhost:${(server.httpServer?.address() as AddressInfo).port}/tests/e2e/carried/index.html`);
   await page.waitForFunction(() => "carried" in window, null, { timeout: 60_000 });
   const found = await page.evaluate(() => window.carried("lamp", "disco.bvh", [0, 30, 75]));
@@ -36,6 +38,8 @@ test("the card carries every vertex to where the core does, and turns the normal
   expect(found.apart).toBeLessThan(1.7e-5); // 1e-5 of the height
   expect(found.turned).toBeGreaterThan(20);
   expect(found.tilted).toBeLessThan(0.5);
+  expect(found.other).toBeGreaterThan(0.03);
+  expect(found.odd).toBeLessThan(0.003);
 });
 
 test("a model that a solid carries is dropped, dances and is dragged like any other", async ({ page }) => {

@@ -4,12 +4,16 @@ import {
   BufferGeometry,
   Camera,
   FloatType,
-  type Mesh,
+  Mesh,
+  MeshStandardMaterial,
   NearestFilter,
+  PerspectiveCamera,
+  PlaneGeometry,
   Points,
   RGBAFormat,
   Scene,
   ShaderMaterial,
+  VSMShadowMap,
   WebGLRenderer,
   WebGLRenderTarget,
 } from "three";
@@ -20,7 +24,10 @@ import { createBrowserEngine } from "../../../src/engine/browser";
 import { readModel } from "../../../src/io/read-model";
 import { Workspace } from "../../../src/sync/workspace";
 import { carryVertices } from "../../../src/util/solid-cells";
+import type { Body } from "../../../src/viewport/body";
 import { CarriedBody } from "../../../src/viewport/carried-body";
+import { Lights } from "../../../src/viewport/lights";
+import { VertexBody } from "../../../src/viewport/vertex-body";
 
 /** Of all vertices in some frames of a dance. */
 export interface Carried {
@@ -34,6 +41,9 @@ export interface Carried {
   /** Of some vertices, in degrees: how far the card's normals are from those that the map's gradient turns, and these from rest. */
   tilted: number;
   turned: number;
+  /** Share of a picture, in the sun and with its shadow, that is seen to differ from that of the core's vertices; and from rest. */
+  odd: number;
+  other: number;
 }
 
 declare global {
@@ -69,6 +79,8 @@ window.carried = async (character, motion, frames) => {
     moved: 0,
     tilted: 0,
     turned: 0,
+    odd: 0,
+    other: 0,
   };
   for (const frame of frames) {
     const maps = workspace.cache.at(frame)!.shape;
@@ -91,6 +103,11 @@ window.carried = async (character, motion, frames) => {
     });
   }
   workspace.close();
+  const last = frames.at(-1)!;
+  const picture = inTheSun(body, workspace.cache.at(last)!.shape);
+  const told = new VertexBody({ ...drawn, solid: null });
+  found.odd = differing(picture, inTheSun(told, core[last]!.positions));
+  found.other = differing(picture, inTheSun(told, told.rest));
   return found;
 
   /** By differences of where the core's formula carries what is around the vertex; it and they lie in one element. */
@@ -153,6 +170,42 @@ function drawnOn(renderer: WebGLRenderer, body: CarriedBody, instance: number, c
   target.dispose();
   material.dispose();
   return out;
+}
+
+/** The pixels of a shape on a floor that catches its shadow. */
+function inTheSun(body: Body, shape: Float32Array): Uint8Array {
+  const [width, height] = [400, 320];
+  const renderer = new WebGLRenderer();
+  renderer.setSize(width, height, false);
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = VSMShadowMap;
+  const lights = new Lights();
+  lights.setDark(false);
+  lights.setShadow({ shadowMap: 512, blurSamples: 6, maxPixelRatio: 1 });
+  lights.fitShadow(4, 2.4, 3);
+  const floor = new Mesh(new PlaneGeometry(6, 6).rotateX(-Math.PI / 2), new MeshStandardMaterial());
+  floor.receiveShadow = true;
+  const scene = new Scene().add(lights.group, floor);
+  for (const geometry of body.geometries) {
+    const mesh = new Mesh(geometry, new MeshStandardMaterial({ color: "#cc9966" }));
+    mesh.castShadow = mesh.receiveShadow = true;
+    mesh.frustumCulled = false;
+    body.dress(mesh);
+    scene.add(mesh);
+  }
+  body.write(shape);
+  const camera = new PerspectiveCamera(36, width / height, 0.1, 50);
+  camera.position.set(1, 2.2, 5);
+  camera.lookAt(0, 0.7, 0);
+  renderer.render(scene, camera);
+  const pixels = new Uint8Array(4 * width * height);
+  const gl = renderer.getContext();
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+function differing(a: Uint8Array, b: Uint8Array): number {
+  return a.filter((value, i) => Math.abs(value - b[i]!) > 12).length / a.length;
 }
 
 function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
