@@ -136,7 +136,7 @@ class Body {
     return {};
   }
 
-  Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid) {
+  RIGLESS_COLD Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid) {
     if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
     outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
@@ -145,7 +145,7 @@ class Body {
     return {};
   }
 
-  Status hold_solid(Span<const Control<S>> controls) {
+  RIGLESS_COLD Status hold_solid(Span<const Control<S>> controls) {
     if (const Status status = detail::check_controls(solid_, controls); !status.ok()) return status;
     const std::vector<Vec3<S>> rest = at_rest(controls);
     std::vector<detail::Limb<S>> limbs =
@@ -160,7 +160,7 @@ class Body {
     return {};
   }
 
-  std::vector<Vec3<S>> at_rest(Span<const Control<S>> controls) const {
+  RIGLESS_COLD std::vector<Vec3<S>> at_rest(Span<const Control<S>> controls) const {
     std::vector<Vec3<S>> rest;
     for (const Control<S>& c : controls) rest.push_back(nth(rest_, c.vertex));
     return rest;

@@ -92,7 +92,7 @@ class LimbTurns {
   }
 
   // Bends as it rests bent; a straight leg as a knee does, and what does not stand as an elbow of an arm that hangs.
-  static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip) {
+  RIGLESS_COLD static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip) {
     Chain chain{control, limb.base, limb.middle, tip, Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity()};
     const Vec3<S> way = (tip - limb.base).normalized();
     const Vec3<S> off = limb.middle - limb.base - way * way.dot(limb.middle - limb.base);
@@ -107,7 +107,7 @@ class LimbTurns {
   }
 
   // Two bones whose ends are told. Farther away than they reach they are straight.
-  static void bend(Chain& chain, const TrunkMotion<S>& trunk, const Vec3<S>& target) {
+  RIGLESS_COLD static void bend(Chain& chain, const TrunkMotion<S>& trunk, const Vec3<S>& target) {
     const Vec3<S> base = trunk.carry(chain.base), way = target - base;
     const Vec3<S> upper = trunk.R * (chain.middle - chain.base), lower = trunk.R * (chain.tip - chain.middle);
     const S a = upper.norm(), b = lower.norm(), d = std::max(way.norm(), S(1e-6) * (a + b));

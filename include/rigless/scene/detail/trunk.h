@@ -21,7 +21,7 @@ template <class S>
 class Trunk {
  public:
   // C controls and where they rest. Allocates.
-  void bind(Span<const Control<S>> controls, Span<const Vec3<S>> rest) {
+  RIGLESS_COLD void bind(Span<const Control<S>> controls, Span<const Vec3<S>> rest) {
     slabs_.clear();
     for (std::size_t c = 0; c < controls.size(); ++c)
       if (controls[c].slab) slabs_.push_back(static_cast<std::int32_t>(c));
@@ -46,7 +46,7 @@ class Trunk {
   }
 
   // Of the slabs, else of all controls.
-  Vec3<S> middle(Span<const Vec3<S>> controls) const {
+  RIGLESS_COLD Vec3<S> middle(Span<const Vec3<S>> controls) const {
     Vec3<S> sum = Vec3<S>::Zero();
     for (const std::int32_t c : slabs_) sum += nth(controls, c);
     if (!slabs_.empty()) return sum / static_cast<S>(slabs_.size());
