@@ -1,9 +1,8 @@
 // Where a stranger's model should be held: its head, hands, feet and trunk, told apart by where they are.
 #pragma once
 
-#include "rigless/mesh/detail/extremities.h"
+#include "rigless/mesh/detail/body_tips.h"
 #include "rigless/mesh/detail/limb.h"
-#include "rigless/mesh/detail/posture.h"
 
 namespace rigless::detail {
 
@@ -14,27 +13,14 @@ class BodyReader {
   // Keeps what it is given. average: of average_geodesic(). Allocates.
   BodyReader(const SurfaceGraph<S>& graph, Span<const S> average, const Posture<S>& posture,
              const SymmetryPlane<S>& plane, Span<const Landmark<S>> landmarks)
-      : graph_(graph), average_(average), posture_(posture), plane_(plane), named_(landmarks.begin(), landmarks.end()) {
-    for (const Vec3<S>& p : graph.position) place_.push_back(posture.see(p));
-    const Bounds<S> box = bounds<S>(place_);
-    tall_ = std::max(box.height(), S(0.3) * box.diagonal());
-    if (!(tall_ > S(0))) tall_ = S(1);
-    const Vec3<S> ground((box.low.x() + box.high.x()) / S(2), box.low.y(), (box.low.z() + box.high.z()) / S(2));
-    const Vec3<S> normal = posture.see(plane.normal);
-    const auto stand = [&](const Vec3<S>& in_file) {
-      Vec3<S> p = posture.see(in_file) - ground;
-      if (symmetric()) p.x() = (normal.x() < S(0) ? S(-1) : S(1)) * plane.side(in_file);
-      return Vec3<S>(p / tall_);
-    };
-    for (std::size_t i = 0; i < graph.size(); ++i) place_[i] = stand(graph.position[i]);
-    for (Landmark<S>& one : named_) one.position = stand(one.position);
-    middle_ = std::max(S(0.06) * box.extent().x() / tall_, S(0.035));
+      : average_(average), body_(graph, posture, plane), named_(landmarks.begin(), landmarks.end()) {
+    for (Landmark<S>& one : named_) one.position = body_.stand(one.position);
   }
 
   // Allocates.
   std::vector<BodyPoint<S>> read() {
-    if (graph_.size() == 0) return {};
-    find_tips();
+    if (body_.graph.size() == 0) return {};
+    tips_ = find_tips<S>(body_, average_);
     center_ = static_cast<std::int32_t>(std::min_element(average_.begin(), average_.end()) - average_.begin());
     head_ = find_head();
     for (const Landmark<S>& hand : named_)
@@ -50,102 +36,20 @@ class BodyReader {
     add_bends();
     add_rest();
     match_partners();
-    for (BodyPoint<S>& p : points_) p.vertex = nth(graph_.vertex, p.vertex);
+    for (BodyPoint<S>& p : points_) p.vertex = nth(body_.graph.vertex, p.vertex);
     return points_;
   }
 
  private:
-  struct Tip {
-    std::int32_t node;
-    std::int32_t partner;  // tip on the other side, or -1
-    bool used;
-  };
-
-  bool symmetric() const { return is_symmetric(plane_); }
   const Landmark<S>* named(BodyRole role) const {
     const auto found = std::find_if(named_.begin(), named_.end(), [=](const auto& one) { return one.role == role; });
     return found == named_.end() ? nullptr : &*found;
   }
   bool is_named(BodyRole role) const { return named(role) != nullptr; }
-  std::size_t index(const Vec3<S>& p) const { return to_size(&p - place_.data()); }
-  const Vec3<S>& place(std::int32_t node) const { return nth(place_, node); }
-  S apart(std::int32_t a, std::int32_t b) const { return (place(a) - place(b)).norm(); }
-  std::int32_t side(std::int32_t node) const {
-    const S x = place(node).x();
-    return std::abs(x) < middle_ ? 0 : x > S(0) ? 1 : -1;
-  }
 
   // Of two that belong together one is on each side, however near they are to the middle.
-  std::int32_t side_of(const Tip& tip) const {
-    return place(tip.node).x() > place(nth(tips_, tip.partner).node).x() ? 1 : -1;
-  }
-
-  // Extremities that are no crumbs and not at the same place, and which of them are mirror images.
-  void find_tips() {
-    S area = 0;
-    for (const S a : graph_.area) area += a;
-    for (const Extremity<S>& e : extremities(graph_, average_, S(0.02) * tall_)) {
-      if (nth(graph_.shell_area, e.node) < S(0.01) * area) continue;
-      // Two hooves side by side are two; toes and heel of a foot are one.
-      const bool near = std::any_of(tips_.begin(), tips_.end(), [&](const Tip& t) {
-        const bool twins = place(t.node).x() * place(e.node).x() < S(0) &&
-                           (flipped(t.node) - place(e.node)).norm() < S(0.05) && apart(t.node, e.node) > S(0.03);
-        return !twins && (apart(t.node, e.node) < S(0.12) || same_foot(t.node, e.node));
-      });
-      if (!near && tips_.size() < 24) tips_.push_back({e.node, -1, false});
-    }
-    for (std::size_t a = 0; a < tips_.size(); ++a) {
-      if (tips_[a].partner >= 0) continue;
-      S nearest = side(tips_[a].node) == 0 ? S(0.05) : S(0.2);
-      for (std::size_t b = a + 1; b < tips_.size(); ++b) {
-        const S off = (flipped(tips_[a].node) - place(tips_[b].node)).norm();
-        const bool across = place(tips_[a].node).x() * place(tips_[b].node).x() < S(0);
-        if (tips_[b].partner >= 0 || !across || off >= nearest) continue;
-        nearest = off;
-        tips_[a].partner = static_cast<std::int32_t>(b);
-      }
-      if (tips_[a].partner >= 0) nth(tips_, tips_[a].partner).partner = static_cast<std::int32_t>(a);
-    }
-  }
-
-  // Both on the ground, on one side, and no farther apart than a foot of a human is long for his height.
-  bool same_foot(std::int32_t a, std::int32_t b) const {
-    const Vec3<S>&p = place(a), &q = place(b);
-    return std::max(p.y(), q.y()) < S(0.12) && p.x() * q.x() > S(0) && (p - q).norm() < S(0.24);
-  }
-
-  Vec3<S> flipped(std::int32_t node) const { return {-place(node).x(), place(node).y(), place(node).z()}; }
-
-  template <class Score>
-  std::int32_t best_node(const Score& score) const {
-    std::int32_t best = -1;
-    S highest = -std::numeric_limits<S>::max();
-    for (std::size_t i = 0; i < place_.size(); ++i) {
-      const S s = score(place_[i]);
-      if (s <= highest) continue;
-      highest = s;
-      best = static_cast<std::int32_t>(i);
-    }
-    return best;
-  }
-
-  // The best node in the middle; of a lopsided body, the best at all.
-  template <class Score>
-  std::int32_t best_middle(const Score& score) const {
-    return best_node(
-        [&](const Vec3<S>& p) { return score(p) - (symmetric() && std::abs(p.x()) > middle_ ? S(10) : S(0)); });
-  }
-
-  // How far a limb reaches before it is a tube: there what lies within a distance grows no faster than it.
-  S thickness(std::int32_t node) const {
-    S area = 0;
-    std::size_t seen = 0;
-    const auto reached = vertices_within<S>(graph_.position, graph_.ring, node, S(0.3) * tall_);
-    for (const auto& [other, distance] : reached) {
-      area += nth(graph_.area, other);
-      if (++seen > 12 && S(6.2832) * distance * distance > S(2.6) * area) return distance;
-    }
-    return S(0.3) * tall_;
+  std::int32_t side_of(const Tip<S>& tip) const {
+    return body_.place(tip.node).x() > body_.place(nth(tips_, tip.partner).node).x() ? 1 : -1;
   }
 
   // The tip that a landmark means, or where there is none what is nearest to it; nothing that another limb means.
@@ -156,17 +60,17 @@ class BodyReader {
         return is_limb(other) && &other != &landmark && off(p, other) < off(p, landmark);
       });
     };
-    Tip* tip = nullptr;
+    Tip<S>* tip = nullptr;
     S nearest = S(0.1);
-    for (Tip& t : tips_) {
-      if (t.used || !(off(place(t.node), landmark) < nearest) || !is_its(place(t.node))) continue;
-      nearest = off(place(t.node), landmark);
+    for (Tip<S>& t : tips_) {
+      if (t.used || !(off(body_.place(t.node), landmark) < nearest) || !is_its(body_.place(t.node))) continue;
+      nearest = off(body_.place(t.node), landmark);
       tip = &t;
     }
     if (tip == nullptr)
-      return best_node([&](const Vec3<S>& p) { return -off(p, landmark) - (is_its(p) ? S(0) : S(20)); });
-    for (Tip& t : tips_)
-      if (off(place(t.node), landmark) < S(0.12) && is_its(place(t.node))) t.used = true;
+      return body_.best_node([&](const Vec3<S>& p) { return -off(p, landmark) - (is_its(p) ? S(0) : S(20)); });
+    for (Tip<S>& t : tips_)
+      if (off(body_.place(t.node), landmark) < S(0.12) && is_its(body_.place(t.node))) t.used = true;
     return tip->node;
   }
 
@@ -174,31 +78,31 @@ class BodyReader {
 
   // Nodes that are nearer to another named place than to the head; none where no head is named or nothing is left.
   std::vector<char> beside_head() const {
-    std::vector<char> beside(place_.size(), 0);
+    std::vector<char> beside(body_.places.size(), 0);
     if (!is_named(BodyRole::head)) return beside;
-    for (std::size_t i = 0; i < place_.size(); ++i) {
-      const auto off = [&](const Landmark<S>& one) { return (one.position - place_[i]).squaredNorm(); };
+    for (std::size_t i = 0; i < body_.places.size(); ++i) {
+      const auto off = [&](const Landmark<S>& one) { return (one.position - body_.places[i]).squaredNorm(); };
       const auto nearest =
           std::min_element(named_.begin(), named_.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
       beside[i] = nearest->role == BodyRole::head ? 0 : 1;
     }
-    if (std::find(beside.begin(), beside.end(), 0) == beside.end()) beside.assign(place_.size(), 0);
+    if (std::find(beside.begin(), beside.end(), 0) == beside.end()) beside.assign(body_.places.size(), 0);
     return beside;
   }
 
   // High, in front and in the middle; not a crest, a horn or the tip of a hat, which are thin.
   std::int32_t find_head() const {
     const std::vector<char> beside = beside_head();
-    std::vector<char> thin(place_.size(), 0);
+    std::vector<char> thin(body_.places.size(), 0);
     std::int32_t head = center_;
     for (int tries = 0; tries < 6; ++tries) {
-      head = best_middle([&](const Vec3<S>& p) {
-        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[index(p)] != 0 ? S(20) : S(0)) -
-               (beside[index(p)] != 0 ? S(40) : S(0));
+      head = body_.best_middle([&](const Vec3<S>& p) {
+        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[body_.index(p)] != 0 ? S(20) : S(0)) -
+               (beside[body_.index(p)] != 0 ? S(40) : S(0));
       });
-      const S thick = thickness(head);
-      if (thick >= S(0.055) * tall_) break;
-      for (const auto& reached : vertices_within<S>(graph_.position, graph_.ring, head, S(2) * thick))
+      const S thick = body_.thickness(head);
+      if (thick >= S(0.055) * body_.tall) break;
+      for (const auto& reached : vertices_within<S>(body_.graph.position, body_.graph.ring, head, S(2) * thick))
         nth(thin, reached.vertex) = 1;
     }
     return head;
@@ -208,10 +112,10 @@ class BodyReader {
   void add(std::int32_t node, BodyRole role, bool wanted, std::int32_t side) {
     if (node < 0) return;
     for (const BodyPoint<S>& p : points_)
-      if (apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
+      if (body_.apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
     const bool head = role == BodyRole::head;
-    const S radius = head ? std::clamp(S(2) * thickness(node), S(0.08) * tall_, S(0.2) * tall_)
-                          : std::clamp(thickness(node), S(0.04) * tall_, S(0.1) * tall_);
+    const S radius = head ? std::clamp(S(2) * body_.thickness(node), S(0.08) * body_.tall, S(0.2) * body_.tall)
+                          : std::clamp(body_.thickness(node), S(0.04) * body_.tall, S(0.1) * body_.tall);
     points_.push_back({node, role, side, -1, radius, wanted});
   }
 
@@ -221,23 +125,23 @@ class BodyReader {
     std::vector<std::size_t> feet;
     S middle = 0;
     for (std::size_t t = 0; t < tips_.size(); ++t) {
-      if (tips_[t].used || place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
-      if (place(nth(tips_, tips_[t].partner).node).y() > S(0.12)) continue;
+      if (tips_[t].used || body_.place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
+      if (body_.place(nth(tips_, tips_[t].partner).node).y() > S(0.12)) continue;
       feet.push_back(t);
     }
     if (feet.empty()) feet = four_feet();
-    for (const std::size_t t : feet) middle += place(tips_[t].node).z();
+    for (const std::size_t t : feet) middle += body_.place(tips_[t].node).z();
     legs_ = feet.size();
     for (const std::size_t t : feet) {
-      const bool fore = legs_ >= 4 && place(tips_[t].node).z() > middle / static_cast<S>(legs_);
+      const bool fore = legs_ >= 4 && body_.place(tips_[t].node).z() > middle / static_cast<S>(legs_);
       tips_[t].used = true;
       add(tips_[t].node, fore ? BodyRole::foreleg : BodyRole::foot, true, side_of(tips_[t]));
     }
     if (legs_ > 0) return;
     for (const S sign : {S(1), S(-1)})
-      add(best_node([&](const Vec3<S>& p) {
-            return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
-          }),
+      add(body_.best_node([&](const Vec3<S>& p) {
+        return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
+      }),
           BodyRole::foot, true, sign > S(0) ? 1 : -1);
   }
 
@@ -245,13 +149,13 @@ class BodyReader {
   std::vector<std::size_t> four_feet() {
     std::vector<std::size_t> feet;
     for (std::size_t t = 0; t < tips_.size(); ++t) {
-      const Limb<S> limb = find_limb(graph_, tips_[t].node, S(0.7) * tall_);
-      const S rise = posture_.up.dot(limb.base - nth(graph_.position, tips_[t].node));
-      if (place(tips_[t].node).y() < S(0.3) && limb.length > S(1.3) * limb.girth && rise > S(0.45) * limb.length)
+      const Limb<S> limb = find_limb(body_.graph, tips_[t].node, S(0.7) * body_.tall);
+      const S rise = body_.posture.up.dot(limb.base - nth(body_.graph.position, tips_[t].node));
+      if (body_.place(tips_[t].node).y() < S(0.3) && limb.length > S(1.3) * limb.girth && rise > S(0.45) * limb.length)
         feet.push_back(t);
     }
     if (feet.size() != 4) return {};
-    const auto at = [&](std::size_t t) -> const Vec3<S>& { return place(tips_[t].node); };
+    const auto at = [&](std::size_t t) -> const Vec3<S>& { return body_.place(tips_[t].node); };
     std::sort(feet.begin(), feet.end(), [&](std::size_t a, std::size_t b) { return at(a).z() < at(b).z(); });
     for (std::size_t k = 0; k < 4; ++k) tips_[feet[k]].partner = static_cast<std::int32_t>(feet[k ^ 1]);
     return feet;
@@ -273,20 +177,21 @@ class BodyReader {
 
   // The most prominent pair that is no ears and no horns: slender, else well nearer to the middle than to the head.
   void add_hands() {
-    const std::vector<S> from_head = node_distances(graph_, head_), from_center = node_distances(graph_, center_);
-    const auto is_arm = [&](const Tip& t, bool slender) {
+    const std::vector<S> from_head = node_distances(body_.graph, head_),
+                         from_center = node_distances(body_.graph, center_);
+    const auto is_arm = [&](const Tip<S>& t, bool slender) {
       const auto node = to_size(t.node);
       if (t.used || from_head[node] < (slender ? S(0.75) : S(0.9)) * from_center[node]) return false;
       if (!slender) return true;
-      const Limb<S> limb = find_limb(graph_, t.node, S(0.7) * tall_);
-      return limb.length > S(0.3) * tall_ && limb.length > S(2) * limb.girth;
+      const Limb<S> limb = find_limb(body_.graph, t.node, S(0.7) * body_.tall);
+      return limb.length > S(0.3) * body_.tall && limb.length > S(2) * limb.girth;
     };
     for (const bool slender : {true, false}) {
       for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
         if (tips_[t].partner < 0) continue;
-        Tip& other = nth(tips_, tips_[t].partner);
+        Tip<S>& other = nth(tips_, tips_[t].partner);
         if (!is_arm(tips_[t], slender) || !is_arm(other, slender)) continue;
-        for (Tip* hand : {&tips_[t], &other}) {
+        for (Tip<S>* hand : {&tips_[t], &other}) {
           hand->used = true;
           add(hand->node, BodyRole::hand, true, side_of(*hand));
         }
@@ -304,33 +209,34 @@ class BodyReader {
       return;
     }
     // The middle of all is above the belly, since arms and head count.
-    const S belly = S(0.72) * place(center_).y();
+    const S belly = S(0.72) * body_.place(center_).y();
     const Landmark<S>*hips = named(BodyRole::hips), *chest = named(BodyRole::chest);
     add(hips != nullptr ? beside(*hips) : front_at(belly), BodyRole::hips, true, 0);
-    add(chest != nullptr ? beside(*chest) : front_at((belly + place(head_).y()) / S(2)), BodyRole::chest, true, 0);
+    add(chest != nullptr ? beside(*chest) : front_at((belly + body_.place(head_).y()) / S(2)), BodyRole::chest, true,
+        0);
   }
 
   // On the surface around a place within the trunk, before it or behind it.
   std::int32_t beside(const Landmark<S>& inner) const {
-    return best_node([&](const Vec3<S>& p) {
+    return body_.best_node([&](const Vec3<S>& p) {
       const Vec3<S> off = p - inner.position;
-      return -off.norm() - (std::abs(off.x()) > middle_ ? S(10) : S(0));
+      return -off.norm() - (std::abs(off.x()) > body_.middle ? S(10) : S(0));
     });
   }
 
   std::int32_t front_at(S height) const {
-    return best_middle([=](const Vec3<S>& p) { return p.z() - S(3) * std::abs(p.y() - height); });
+    return body_.best_middle([=](const Vec3<S>& p) { return p.z() - S(3) * std::abs(p.y() - height); });
   }
 
   std::int32_t back_over(BodyRole legs) const {
     S z = 0, count = 0;
     for (const BodyPoint<S>& p : points_) {
       if (p.role != legs) continue;
-      z += place(p.vertex).z();
+      z += body_.place(p.vertex).z();
       count += S(1);
     }
     if (!(count > S(0))) return -1;
-    return best_middle([=](const Vec3<S>& p) { return p.y() - S(3) * std::abs(p.z() - z / count); });
+    return body_.best_middle([=](const Vec3<S>& p) { return p.y() - S(3) * std::abs(p.z() - z / count); });
   }
 
   // Elbows and knees of limbs that are long for how thick they are, on both sides; a stump looks better in one piece.
@@ -342,9 +248,9 @@ class BodyReader {
       for (std::size_t n = 0; n < ends; ++n) {
         const BodyPoint<S>& end = points_[n];
         if (end.role != role || legs_ > 2) continue;
-        const Limb<S> limb = find_limb(graph_, end.vertex, S(0.7) * tall_);
-        if (limb.length > limb.girth && limb.length > S(0.2) * tall_)
-          bends.push_back({nearest_node(limb.middle), end.side});
+        const Limb<S> limb = find_limb(body_.graph, end.vertex, S(0.7) * body_.tall);
+        if (limb.length > limb.girth && limb.length > S(0.2) * body_.tall)
+          bends.push_back({body_.nearest_node(limb.middle), end.side});
       }
       if (bends.size() != 2) continue;
       for (const auto& [node, side] : bends)
@@ -352,30 +258,22 @@ class BodyReader {
     }
   }
 
-  std::int32_t nearest_node(const Vec3<S>& position) const {
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < graph_.size(); ++i)
-      if ((graph_.position[i] - position).squaredNorm() < (graph_.position[nearest] - position).squaredNorm())
-        nearest = i;
-    return static_cast<std::int32_t>(nearest);
-  }
-
   void add_rest() {
-    for (const Tip& t : tips_) {
+    for (const Tip<S>& t : tips_) {
       if (t.used) continue;
-      const bool tail = side(t.node) == 0 && place(t.node).z() < place(center_).z() - S(0.15);
-      add(t.node, tail ? BodyRole::tail : BodyRole::tip, false, side(t.node));
+      const bool tail = body_.side(t.node) == 0 && body_.place(t.node).z() < body_.place(center_).z() - S(0.15);
+      add(t.node, tail ? BodyRole::tail : BodyRole::tip, false, body_.side(t.node));
     }
   }
 
   void match_partners() {
-    for (std::size_t a = 0; a < points_.size() && symmetric(); ++a) {
+    for (std::size_t a = 0; a < points_.size() && body_.symmetric(); ++a) {
       if (points_[a].side == 0) points_[a].partner = static_cast<std::int32_t>(a);
       if (points_[a].partner >= 0) continue;
       S nearest = S(0.2);
       std::size_t match = points_.size();
       for (std::size_t b = a + 1; b < points_.size(); ++b) {
-        const S off = (flipped(points_[a].vertex) - place(points_[b].vertex)).norm();
+        const S off = (body_.flipped(points_[a].vertex) - body_.place(points_[b].vertex)).norm();
         if (points_[b].partner >= 0 || points_[a].side + points_[b].side != 0 || points_[a].role != points_[b].role ||
             off >= nearest)
           continue;
@@ -388,15 +286,10 @@ class BodyReader {
     }
   }
 
-  const SurfaceGraph<S>& graph_;
   Span<const S> average_;
-  Posture<S> posture_;
-  SymmetryPlane<S> plane_;
-  std::vector<Landmark<S>> named_;  // as place_
-  std::vector<Vec3<S>> place_;      // N: left, up from the ground, forward; in heights
-  S tall_ = S(1);                   // of the body, in the file's units
-  S middle_ = S(0);                 // as far from the plane is still the middle
-  std::vector<Tip> tips_;
+  StandingBody<S> body_;
+  std::vector<Landmark<S>> named_;  // as the body stands
+  std::vector<Tip<S>> tips_;
   std::vector<BodyPoint<S>> points_;  // `vertex` is a node until read() ends
   std::size_t legs_ = 0;
   std::int32_t center_ = 0, head_ = 0;

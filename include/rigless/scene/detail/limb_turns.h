@@ -23,7 +23,6 @@ class LimbTurns {
     chains_.clear();
     nodes_.clear();
     rotations_.assign(solid.rest.size(), Mat3<S>::Identity());
-    on_limb_.assign(solid.rest.size(), 0);
     std::vector<S> nearest(solid.rest.size(), std::numeric_limits<S>::max());
     std::vector<Node> found(solid.rest.size());
     for (std::size_t c = 0; c < controls.size(); ++c) {
@@ -38,15 +37,16 @@ class LimbTurns {
       }
       chains_.push_back(make_chain(limb, static_cast<std::int32_t>(c), rest[c]));
     }
-    for (const Node& node : found) {
-      if (node.chain < 0) continue;
-      nodes_.push_back(node);
-      nth(on_limb_, node.node) = node.upper > S(0.5) ? 1 : 0;
-    }
+    for (const Node& node : found)
+      if (node.chain >= 0) nodes_.push_back(node);
   }
 
-  // N: not 0 for nodes of limbs.
-  Span<const char> on_limb() const { return on_limb_; }
+  // N: not 0 for nodes of limbs. Allocates.
+  RIGLESS_COLD std::vector<char> on_limb() const {
+    std::vector<char> on(rotations_.size(), 0);
+    for (const Node& node : nodes_) nth(on, node.node) = node.upper > S(0.5) ? 1 : 0;
+    return on;
+  }
 
   // N: how each node is turned from rest for these C targets, and for a trunk that is there. No allocation.
   Span<const Mat3<S>> turn(const TrunkMotion<S>& trunk, Span<const Vec3<S>> targets) {
@@ -112,9 +112,9 @@ class LimbTurns {
     const Vec3<S> upper = trunk.R * (chain.middle - chain.base), lower = trunk.R * (chain.tip - chain.middle);
     const S a = upper.norm(), b = lower.norm(), d = std::max(way.norm(), S(1e-6) * (a + b));
     const Mat3<S> swing = shortest_arc<S>((trunk.R * (chain.tip - chain.base)).normalized(), way / d);
-    const S foot = std::clamp((a * a - b * b + d * d) / (S(2) * d), -a, a);  // of the bend on the way
-    const S height = d < a + b ? std::sqrt(std::max(a * a - foot * foot, S(0))) : S(0);
-    const Vec3<S> middle = base + (way / d) * foot + swing * (trunk.R * chain.bulge) * height;
+    const S along = std::clamp((a * a - b * b + d * d) / (S(2) * d), -a, a);  // the way, as far as the bend
+    const S off = d < a + b ? std::sqrt(std::max(a * a - along * along, S(0))) : S(0);
+    const Vec3<S> middle = base + (way / d) * along + swing * (trunk.R * chain.bulge) * off;
     const Mat3<S> to_middle = shortest_arc<S>((swing * upper) / a, (middle - base).normalized()) * swing;
     const Mat3<S> from_there = shortest_arc<S>((to_middle * lower) / b, (target - middle).normalized());
     chain.upper = Turn(to_middle);
@@ -124,7 +124,6 @@ class LimbTurns {
   std::vector<Chain> chains_;
   std::vector<Node> nodes_;         // those that limbs turn
   std::vector<Mat3<S>> rotations_;  // N
-  std::vector<char> on_limb_;       // N
 };
 
 }  // namespace rigless::detail
