@@ -1,7 +1,8 @@
 // A model in hand: the file's own document, and the views on it that are drawn and solved.
 
 import type { GltfDocument } from "../gltf/document";
-import { type Joint, jointsOf } from "./gltf/joints";
+import type { NamedJoint } from "../sync/named-body";
+import { jointsOf } from "./gltf/joints";
 import { viewOf, type View } from "./gltf/view";
 
 export interface Model extends View {
@@ -9,7 +10,7 @@ export interface Model extends View {
   readonly name: string;
   readonly document: GltfDocument;
   /** What the file calls its joints, or its parts; none where it names nothing. */
-  readonly joints: readonly Joint[];
+  readonly joints: readonly NamedJoint[];
   /** What was worked around, in plain words. */
   readonly notes: readonly string[];
 }

@@ -1,9 +1,10 @@
 // The reader of each format of models, loaded with its first file. The page itself never loads this table: a worker reads for it.
 
 import type { GltfDocument } from "../gltf/document";
+import type { NamedJoint } from "../sync/named-body";
 import type { ModelId } from "./formats";
 import { type Built, buildDocument } from "./gltf/build";
-import { type Joint, withJoints } from "./gltf/joints";
+import { withJoints } from "./gltf/joints";
 import type { NamedFile } from "./named-file";
 import { presentable } from "./take-picture";
 
@@ -30,7 +31,7 @@ const gltf: Reader = async ({ name, file, files, notes }) => {
 
 /** A reader that finds parts. */
 const parts =
-  (read: (source: ModelSource) => Promise<Built & { readonly joints?: readonly Joint[] }>): Reader =>
+  (read: (source: ModelSource) => Promise<Built & { readonly joints?: readonly NamedJoint[] }>): Reader =>
   async (source) => {
     const built = await read(source);
     const pictures = await presentable(built.pictures ?? [], source.notes);

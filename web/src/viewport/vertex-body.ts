@@ -35,7 +35,7 @@ export class VertexBody implements Body {
   }
 
   takes(shape: Shape): boolean {
-    return shape.length >= this.rest.length;
+    return shape.length === this.rest.length;
   }
 
   /** Does not allocate. */

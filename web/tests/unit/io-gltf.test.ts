@@ -109,7 +109,9 @@ describe("GLB", () => {
     maker.json.scenes = [{ nodes: [0, 1, 2] }];
     const model = await readModel([maker.glb()]);
     expect([...model.positions]).toEqual([0, 0, 0, 1, 0, 3, 0, 1, 1.5]);
-    expect(model.notes).toEqual(["This file already has a skeleton. We use its current pose and leave the bones out."]);
+    expect(model.notes).toEqual([
+      "This file already has a skeleton. We use its current pose and the names of its joints, and leave the bones out.",
+    ]);
   });
 
   it("takes a morphed model in its current shape and says so", async () => {

@@ -3,11 +3,8 @@ import type { NamedJoint } from "../../sync/named-body";
 import type { View } from "./view";
 import { sceneNodes, worldMatrices } from "./world";
 
-/** A joint of the skeleton that a file's mesh was posed by, in the world; its parent comes before it. */
-export type Joint = NamedJoint;
-
-/** The joints of all skins where the model stands, else the parts that it is made of, each with where it ends. */
-export function jointsOf(document: GltfDocument, view: View): Joint[] {
+/** The joints of all skins where the model stands, else the parts that it is made of, each with where it ends; parents come before. */
+export function jointsOf(document: GltfDocument, view: View): NamedJoint[] {
   const { nodes = [], skins = [] } = document.json;
   const world = worldMatrices(document);
   const wanted = new Set(skins.flatMap(({ joints }) => joints));
@@ -15,7 +12,7 @@ export function jointsOf(document: GltfDocument, view: View): Joint[] {
   const shown = sceneNodes(document);
   const rank = new Map<number, number>();
   const parents = new Map(shown.flatMap((node) => (nodes[node].children ?? []).map((child) => [child, node] as const)));
-  const joints: Joint[] = [];
+  const joints: NamedJoint[] = [];
   for (const node of shown) {
     const name = nodes[node].name ?? "";
     if (!(parts ? parts.has(node) : wanted.has(node))) continue;
@@ -65,7 +62,7 @@ function middleOf(positions: Float32Array, ranges: readonly [number, number][]):
 }
 
 /** The document with a skin that nothing hangs on: joints keep their names, which say what stands there. */
-export function withJoints(document: GltfDocument, joints: readonly Joint[]): GltfDocument {
+export function withJoints(document: GltfDocument, joints: readonly NamedJoint[]): GltfDocument {
   if (joints.length === 0) return document;
   const { json } = document;
   const before = json.nodes ?? [];

@@ -4,6 +4,7 @@ import type { GltfDocument } from "../../gltf/document";
 import type { Drawn, DrawnInstance } from "../../gltf/drawn";
 import { count } from "../count";
 import { ModelError } from "../named-file";
+import { SKINNED } from "../skinned";
 import { TupleTable } from "../../util/tuple-table";
 import { checkedBounds, type Corners, cornersOf, weldCorners, type WeldedSurface } from "../surface";
 import { checkSize, trianglesIn } from "./check";
@@ -63,7 +64,7 @@ function piecesOf(name: string, document: GltfDocument, notes: string[]): Piece[
     const place = posed(document, node, primitive, matrix, world);
     return { ...where, ...place, triangles: trianglesOf(name, document, primitive, place.mirrored) };
   });
-  if (found.skinned) notes.push("This file already has a skeleton. We use its current pose and leave the bones out.");
+  if (found.skinned) notes.push(SKINNED);
   if (found.morphed) notes.push("This file has shape keys. We use its current shape.");
   return pieces;
 }

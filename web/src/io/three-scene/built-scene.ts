@@ -14,14 +14,14 @@ import {
   Vector3,
 } from "three";
 
+import type { NamedJoint } from "../../sync/named-body";
 import type { BuiltPart } from "../gltf/build";
-import type { Joint } from "../gltf/joints";
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 export interface SceneParts {
   readonly parts: BuiltPart[];
-  readonly joints: Joint[];
+  readonly joints: NamedJoint[];
   readonly skinned: boolean;
   readonly morphed: boolean;
   /** Lines and points, which are left out. */
@@ -167,8 +167,8 @@ function unit(c: number): number {
   return c >= 0 ? Math.min(c, 1) : 0;
 }
 
-function jointsOf(scene: Object3D): Joint[] {
-  const joints: Joint[] = [];
+function jointsOf(scene: Object3D): NamedJoint[] {
+  const joints: NamedJoint[] = [];
   const visit = (object: Object3D, parent: number | null): void => {
     let own = parent;
     if ("isBone" in object) {

@@ -3,15 +3,16 @@
 import { Group, type Object3D } from "three";
 
 import type { Built } from "../gltf/build";
-import type { Joint } from "../gltf/joints";
 import { count } from "../count";
 import { ModelError, type NamedFile } from "../named-file";
 import { PictureShelf } from "../picture-shelf";
+import { SKINNED } from "../skinned";
+import type { NamedJoint } from "../../sync/named-body";
 import { sceneParts } from "./built-scene";
 import { SceneMaterials } from "./scene-materials";
 
 export interface BuiltScene extends Built {
-  readonly joints: readonly Joint[];
+  readonly joints: readonly NamedJoint[];
 }
 
 export interface SceneSource {
@@ -50,7 +51,7 @@ export function readScene({ name, file, files, notes, onProgress }: SceneSource,
   const materials = new SceneMaterials(shelf);
   const { parts, joints, skinned, morphed, others } = sceneParts(world, (material) => materials.indexOf(material));
   if (parts.length === 0) throw new ModelError(noMesh(name, joints.length, others));
-  if (skinned) notes.push("This file already has a skeleton. We use its current pose and leave the bones out.");
+  if (skinned) notes.push(SKINNED);
   if (morphed) notes.push("This file has shape keys. We use its current shape.");
   shelf.close();
   return { parts, joints, materials: materials.materials, pictures: shelf.pictures };
