@@ -9,6 +9,7 @@ import { AZIMUTH, FIELD_OF_VIEW } from "../../src/viewport/framing";
 import { Lights } from "../../src/viewport/lights";
 import { loadLook } from "../../src/viewport/look";
 import { ModelFigure } from "../../src/viewport/model-figure";
+import { VertexBody } from "../../src/viewport/vertex-body";
 
 /** One figure at any frame. */
 export interface Figure {
@@ -22,7 +23,7 @@ export interface Figure {
 export async function theModel(model: Model, document: ProjectDocument, workspace: Workspace): Promise<Figure> {
   const drawn = drawnModel(model, document.mesh, null);
   const vertices = await workspace.vertexFrames({});
-  const figure = new ModelFigure(drawn);
+  const figure = new ModelFigure(drawn, new VertexBody(drawn));
   figure.dress(await loadLook(drawn.document, drawn.instances));
   figure.show();
   return {

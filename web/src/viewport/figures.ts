@@ -1,12 +1,14 @@
 // Who stands on the stage: the model, its ghost and the human, each drawn from the newest positions it was given.
 
 import type { Vector3 } from "three";
+import type { Body } from "./body";
 import { Mannequin } from "./mannequin";
 import { ModelFigure } from "./model-figure";
 import { HUMAN_WIDTH, type Scenery } from "./scenery";
 import type { SurfacePicker } from "./surface-picker";
 import type { Theme } from "./theme";
 import type { DrawnHuman, DrawnModel, Shape } from "../stage/port";
+import { VertexBody } from "./vertex-body";
 
 export class Figures {
   model: ModelFigure | null = null;
@@ -20,6 +22,10 @@ export class Figures {
   private nextPose: Float32Array | null = null;
   private viewSize: [number, number] = [1, 1];
   private rays: typeof import("./surface-picker") | null = null;
+  /** Since the first model that a solid carries. */
+  private carrying: typeof import("./carried-body") | null = null;
+  /** The newest model, until it stands here. */
+  private awaited: DrawnModel | null = null;
   /** On its way from the beginning: the first model waits for it. */
   private readonly looks = import("./look");
 
@@ -30,8 +36,12 @@ export class Figures {
 
   /** Answers true once the model has its look, false if another one has come before. */
   async setModel(model: DrawnModel | null): Promise<boolean> {
+    this.clear();
+    this.awaited = model;
+    if (!model) return true;
+    if (model.solid) this.carrying ??= await import("./carried-body");
+    if (this.awaited !== model) return false;
     const figure = this.place(model);
-    if (!figure || !model) return true;
     const look = await this.looks.then(({ loadLook }) => loadLook(model.document, model.instances, this.scenery.renderer)).catch(clay);
     if (this.model !== figure) look?.dispose();
     else {
@@ -42,18 +52,30 @@ export class Figures {
     return this.model === figure;
   }
 
-  private place(model: DrawnModel | null): ModelFigure | null {
+  private clear(): void {
     const { model: lane } = this.scenery;
     if (this.model) lane.group.remove(this.model.group);
     this.model?.dispose();
-    this.model = model && new ModelFigure(model);
+    this.model = null;
     void this.makePicker();
-    this.nextShape = this.model?.body.rest ?? null;
-    this.ghost = null;
-    if (this.model) lane.group.add(this.model.group);
-    lane.shadow.mesh.visible = this.model !== null;
-    this.scenery.setWidth(lane, this.model ? modelWidth(this.model.body.outline(this.model.shape)) : 0);
+    this.nextShape = this.ghost = null;
+    lane.shadow.mesh.visible = false;
+    this.scenery.setWidth(lane, 0);
+  }
+
+  private place(model: DrawnModel): ModelFigure {
+    const { model: lane } = this.scenery;
+    this.model = new ModelFigure(model, this.bodyOf(model));
+    void this.makePicker();
+    this.nextShape ??= this.model.body.rest;
+    lane.group.add(this.model.group);
+    lane.shadow.mesh.visible = true;
+    this.scenery.setWidth(lane, modelWidth(this.model.body.outline(this.model.shape)));
     return this.model;
+  }
+
+  private bodyOf(model: DrawnModel): Body {
+    return model.solid && this.carrying ? new this.carrying.CarriedBody(model, model.solid) : new VertexBody(model);
   }
 
   setHuman(human: DrawnHuman | null): void {
@@ -128,7 +150,8 @@ export class Figures {
       scenery.human.shadow.mesh.visible = true;
       mannequin.darken(scenery.human.shadow);
     }
-    this.nextShape = this.nextPose = null;
+    if (model) this.nextShape = null;
+    this.nextPose = null;
     return { surface, pose };
   }
 

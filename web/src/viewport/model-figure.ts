@@ -3,17 +3,14 @@
 import { BufferAttribute, Group, type InterleavedBufferAttribute, Mesh, MeshStandardMaterial } from "three";
 import type { DrawnModel, Shape } from "../stage/port";
 import type { Body } from "./body";
-import { CarriedBody } from "./carried-body";
 import { Ghost } from "./ghost";
 import type { Look } from "./look";
 import type { Theme } from "./theme";
-import { VertexBody } from "./vertex-body";
 
 const CLAY = "#e4d2bf";
 
 export class ModelFigure {
   readonly group = new Group();
-  readonly body: Body;
   /** By instance of the model: its render vertices begin at the instance's `first`. Not seen before they have a look. */
   readonly meshes: readonly Mesh[];
   /** What is drawn now. */
@@ -23,8 +20,10 @@ export class ModelFigure {
   private ghost: Ghost | null = null;
   private look: Look | null = null;
 
-  constructor(readonly model: DrawnModel) {
-    this.body = model.solid ? new CarriedBody(model, model.solid) : new VertexBody(model);
+  constructor(
+    readonly model: DrawnModel,
+    readonly body: Body,
+  ) {
     this.shape = this.body.rest;
     this.meshes = this.body.geometries.map((geometry) => {
       const mesh = new Mesh(geometry);
