@@ -57,6 +57,17 @@ export class Cast {
     return next && this.isOnStage(next) ? undefined : next;
   }
 
+  /** The projects of those who left the stage. */
+  get away(): readonly ProjectDocument[] {
+    return [...this.left.values()];
+  }
+
+  /** Who is away comes back as they left. */
+  restore(away: readonly ProjectDocument[]): void {
+    this.left.clear();
+    for (const document of away) this.left.set(document.mesh.file, document);
+  }
+
   /** What a performer's project was when they left the stage. */
   remembered(file: string): ProjectDocument | undefined {
     return this.left.get(file);

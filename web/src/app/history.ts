@@ -1,5 +1,5 @@
 import { DocumentStore } from "../document/store";
-import type { Command, Gesture } from "../document/store";
+import type { Command, Gesture, Steps } from "../document/store";
 import type { ProjectDocument } from "../document/types";
 import type { NoticeAction, Notices } from "./notices";
 import type { Signals } from "./signals";
@@ -10,6 +10,7 @@ export class History {
   touched = false;
   private readonly store: DocumentStore;
   private savedDocument: ProjectDocument | null = null;
+  private keptDocument: ProjectDocument | null = null;
 
   constructor(
     document: ProjectDocument,
@@ -38,7 +39,14 @@ export class History {
   }
   /** Something would be lost with the page. */
   get unsaved(): boolean {
-    return this.touched && !this.saved;
+    return this.touched && !this.saved && this.unkept;
+  }
+  /** The browser does not keep what is there now. */
+  get unkept(): boolean {
+    return this.document !== this.keptDocument;
+  }
+  get steps(): Steps {
+    return this.store.steps;
   }
 
   apply(command: Command, gesture?: Gesture): void {
@@ -49,6 +57,13 @@ export class History {
   /** Another project: nothing of the old one can be undone. */
   replace(document: ProjectDocument): void {
     this.store.replace(document);
+  }
+
+  /** A project that was kept, with everything that was done in it. */
+  restore(steps: Steps): void {
+    this.touched = true;
+    this.keptDocument = steps.present;
+    this.store.restore(steps);
   }
 
   undo(): void {
@@ -64,6 +79,12 @@ export class History {
 
   markSaved(): void {
     this.savedDocument = this.document;
+    this.signals.tell("saved");
+  }
+
+  /** The browser keeps this document. */
+  markKept(document: ProjectDocument): void {
+    this.keptDocument = document;
     this.signals.tell("saved");
   }
 

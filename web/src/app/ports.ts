@@ -1,6 +1,8 @@
 // What the app needs of the place it runs in: a page, or a test in Node.
 
-import type { Engine } from "../engine/types";
+import type { ProjectDocument } from "../document/types";
+import type { Steps } from "../document/store";
+import type { Engine, MotionInput } from "../engine/types";
 import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
 
@@ -56,10 +58,58 @@ export interface ClockPort {
   idle(): Promise<void>;
 }
 
+/** A project that the browser keeps, as a list shows it. */
+export interface KeptProject {
+  readonly id: string;
+  readonly name: string;
+  /** Milliseconds since 1970. */
+  readonly changed: number;
+  /** A small picture's data URL, or "". */
+  readonly picture: string;
+}
+
+/** Everything of a project: what was done in it, whoever left its stage, and the files that all of them name. */
+export interface KeptWork extends KeptProject {
+  /** Of the document's format. */
+  readonly version: number;
+  readonly steps: Steps;
+  readonly away: readonly ProjectDocument[];
+  /** Each model's own file first, named as documents name it. */
+  readonly models: readonly (readonly NamedFile[])[];
+  readonly motions: readonly { readonly files: readonly string[]; readonly input: MotionInput }[];
+}
+
+/** What the browser keeps between visits. Errors: its storage is full, or turned off. */
+export interface ShelfPort {
+  /** Newest first. */
+  list(): Promise<readonly KeptProject[]>;
+  load(id: string): Promise<KeptWork | null>;
+  put(work: KeptWork): Promise<void>;
+  remove(id: string): Promise<void>;
+  /** The id of a new project, which this page has for itself. */
+  begin(): Promise<string>;
+  /** Has a project for this page alone until `release`, or until the page is gone; false if another page has it. */
+  claim(id: string): Promise<boolean>;
+  release(): void;
+}
+
+/** What a page remembers at once, before anything is loaded. */
+export interface MemoryPort {
+  /** The project that this page works on, also after a reload. */
+  project: string | null;
+  /** The project that is being opened: one that takes the page with it is not opened again by itself. */
+  opening: string | null;
+  /** Something is on the shelf. */
+  kept: boolean;
+}
+
 export interface Ports {
   readonly files: FilesPort;
   readonly assets: AssetsPort;
   readonly clock: ClockPort;
+  readonly memory: MemoryPort;
+  /** Loaded with the first thing to keep. */
+  readonly openShelf: () => Promise<ShelfPort>;
   readonly createEngine: () => Engine;
   /** As io/read-model, wherever it runs. Errors: ModelError; on abort the signal's reason. */
   readonly readModel: (

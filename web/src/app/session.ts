@@ -14,6 +14,7 @@ import { Dragging } from "./dragging";
 import { Guesses } from "./guesses";
 import type { History } from "./history";
 import { Jobs } from "./jobs";
+import type { Keeping } from "./keeping";
 import { Motions } from "./motions";
 import { Opening } from "./opening";
 import { Pairing } from "./pairing";
@@ -54,23 +55,32 @@ export class Session {
   readonly opening = new Opening(this.context, this, this.ports);
   readonly saving = new Saving(this.context, this.jobs, this.sources, this.ports.files);
   readonly actions = createActions(this);
+  /** Here once there is something to keep. */
+  keeping: Keeping | null = null;
+
+  private kept: Promise<Keeping> | undefined;
 
   constructor(private readonly ports: Ports) {
+    this.signals.on("document", () => {
+      if (this.history.touched && !this.keeping) void this.keep();
+    });
     this.jobs.on("change", () => this.signals.tell("jobs"));
     this.sayWhatTheEngineSays();
   }
 
   /**
-   * Begins with the cactus. The stage is built while the engine bakes: its shaders keep the page busy, and the engine would
+   * Begins with what the browser keeps, or else with the cactus. The stage is built while the engine bakes: its shaders keep the page busy, and the engine would
    * wait for its orders behind them.
    */
   async start(buildStage: () => StagePort): Promise<void> {
     const { selection, workspace } = this.context;
-    selection.beginIntro();
+    const { memory } = this.ports;
+    if (!memory.kept) selection.beginIntro();
     const build = (): void => {
       if (!this.presenter.hasStage) this.build(buildStage);
     };
     workspace.on("performance", () => setTimeout(build)); // after the engine has been told to bake
+    if (memory.kept && (await (await this.keep()).resume())) return;
     if (!(await this.opening.first())) build();
   }
 
@@ -97,6 +107,13 @@ export class Session {
   }
   get performance(): Performance | null {
     return this.context.performance;
+  }
+
+  private async keep(): Promise<Keeping> {
+    this.kept ??= import("./keeping").then(({ Keeping }) => (this.keeping = new Keeping(this.context, this, this.ports)));
+    const keeping = await this.kept;
+    keeping.later();
+    return keeping;
   }
 
   private build(buildStage: () => StagePort): void {

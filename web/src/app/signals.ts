@@ -10,6 +10,8 @@ export interface Topics {
   travel: void;
   /** Saved, or not any more. */
   saved: void;
+  /** What the browser keeps has changed. */
+  kept: void;
   /** The frame to show. */
   frame: void;
   play: void;

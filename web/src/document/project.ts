@@ -5,7 +5,8 @@ import schema from "./project-schema.json";
 import { findFault, withDefaults } from "./schema";
 import type { ClipEdits, ProjectDocument } from "./types";
 
-const VERSION = 1;
+/** Of the format that is written. */
+export const VERSION = 1;
 
 /** A project that cannot be opened. `message` names the file and the field and is made to be shown. */
 export class DocumentError extends Error {

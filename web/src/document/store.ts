@@ -8,6 +8,13 @@ export type Command = (document: ProjectDocument) => ProjectDocument;
 /** A drag or a slider's travel: everything that is applied with the same gesture is one step. */
 export type Gesture = symbol;
 
+/** Every document that undo and redo can reach; the last of each list is the next. They share what they have in common. */
+export interface Steps {
+  readonly past: readonly ProjectDocument[];
+  readonly present: ProjectDocument;
+  readonly future: readonly ProjectDocument[];
+}
+
 export type Listener = (document: ProjectDocument, previous: ProjectDocument) => void;
 
 export class DocumentStore {
@@ -24,6 +31,10 @@ export class DocumentStore {
 
   get document(): ProjectDocument {
     return this.present;
+  }
+
+  get steps(): Steps {
+    return { past: [...this.past], present: this.present, future: [...this.future] };
   }
 
   get canUndo(): boolean {
@@ -73,10 +84,15 @@ export class DocumentStore {
 
   /** Another project: nothing of the old one can be undone. */
   replace(document: ProjectDocument): void {
-    this.past = [];
-    this.future = [];
+    this.restore({ past: [], present: document, future: [] });
+  }
+
+  /** Another project, with everything that was done in it. */
+  restore({ past, present, future }: Steps): void {
+    this.past = [...past];
+    this.future = [...future];
     this.open = null;
-    this.show(document);
+    this.show(present);
   }
 
   /** Calls after each change; the answer ends it. */

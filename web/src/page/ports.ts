@@ -6,11 +6,14 @@ import { readModelInWorker } from "../io/read-model-in-worker";
 import { assets } from "./assets";
 import { clock } from "./clock";
 import { files } from "./files";
+import { memory } from "./memory";
 
 export const ports: Ports = {
   assets,
   clock,
   files,
+  memory,
+  openShelf: () => import("./shelf").then(({ openShelf }) => openShelf()),
   createEngine: createBrowserEngine,
   readModel: readModelInWorker,
   calm: matchMedia("(prefers-reduced-motion: reduce)").matches,

@@ -174,6 +174,7 @@ export class App extends LitElement {
   };
 
   private readonly leaving = (event: BeforeUnloadEvent): void => {
+    void this.session.keeping?.flush();
     if (this.session.history.unsaved) event.preventDefault();
   };
 

@@ -32,6 +32,15 @@ export function bytes(n: number): string {
   return n < 1_000_000 ? `${figure(Math.max(1, n / 1000))} kB` : `${figure(n / 1_000_000, 1)} MB`;
 }
 
+/** "3 hours ago"; days at most in numbers. */
+export function ago(milliseconds: number): string {
+  const minutes = milliseconds / 60_000;
+  if (minutes < 1) return "just now";
+  if (minutes < 60) return `${count(Math.floor(minutes), "minute")} ago`;
+  if (minutes < 60 * 24) return `${count(Math.floor(minutes / 60), "hour")} ago`;
+  return `${count(Math.floor(minutes / 60 / 24), "day")} ago`;
+}
+
 /** File name without its folders and its last extension. */
 export function stem(path: string): string {
   return path.replace(/^.*\//, "").replace(/\.[^.]+$/, "");

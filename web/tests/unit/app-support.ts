@@ -6,7 +6,7 @@ import { afterEach, expect } from "vitest";
 import characters from "../../assets/characters/index.json";
 import motions from "../../assets/motions/index.json";
 import { Context } from "../../src/app/context";
-import type { AssetsPort, ClockPort, FileKind, PickedFile, Ports } from "../../src/app/ports";
+import type { AssetsPort, ClockPort, FileKind, KeptWork, PickedFile, Ports, ShelfPort } from "../../src/app/ports";
 import { Session } from "../../src/app/session";
 import type { Topics } from "../../src/app/signals";
 import { parseProject } from "../../src/document/project";
@@ -120,8 +120,47 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   }
 }
 
+/** A shelf whose projects are copies, as in a browser. Pages that share it are tabs. */
+export class TestShelf {
+  readonly kept = new Map<string, KeptWork>();
+  readonly claims = new Map<string, object>();
+  /** Why nothing more can be kept. */
+  full: Error | null = null;
+
+  tab(): ShelfPort {
+    const { kept, claims } = this;
+    const tab = {};
+    const release = (): void => {
+      for (const [id, by] of claims) if (by === tab) claims.delete(id);
+    };
+    const claim = async (id: string): Promise<boolean> => {
+      release();
+      if (claims.has(id)) return false;
+      claims.set(id, tab);
+      return true;
+    };
+    return {
+      claim,
+      begin: async () => {
+        const id = `project ${kept.size + claims.size + 1}`;
+        await claim(id);
+        return id;
+      },
+      list: async () => [...kept.values()].sort((a, b) => b.changed - a.changed),
+      load: async (id) => structuredClone(kept.get(id) ?? null),
+      put: async (work) => {
+        if (this.full) throw this.full;
+        kept.set(work.id, structuredClone(work));
+      },
+      remove: async (id) => void kept.delete(id),
+      release,
+    };
+  }
+}
+
 export interface TestPorts extends Ports {
   readonly clock: Clock;
+  readonly shelf: TestShelf;
   /** What was offered as a download. */
   readonly downloads: { name: string; bytes: Uint8Array; type: string }[];
   /** What the person chooses when asked. */
@@ -129,10 +168,13 @@ export interface TestPorts extends Ports {
   readonly asked: FileKind[];
 }
 
-export function testPorts(): TestPorts {
+export function testPorts(shelf = new TestShelf()): TestPorts {
   const ports: TestPorts = {
     assets,
     clock: new Clock(),
+    shelf,
+    memory: { project: null, opening: null, kept: shelf.kept.size > 0 },
+    openShelf: async () => shelf.tab(),
     downloads: [],
     chosen: [],
     asked: [],
@@ -202,8 +244,7 @@ export async function dancingContext(): Promise<{ context: Context; clock: Clock
 }
 
 /** The whole app: the cactus has danced, and there is a stage. */
-export async function dancingSession(): Promise<{ session: Session; stage: PaperStage; ports: TestPorts }> {
-  const ports = testPorts();
+export async function dancingSession(ports = testPorts()): Promise<{ session: Session; stage: PaperStage; ports: TestPorts }> {
   const session = new Session(ports);
   closing.push(() => session.close());
   const stage = new PaperStage();

@@ -6,6 +6,7 @@ import { icon } from "../icons";
 import { base, panel } from "../styles";
 import { count } from "../../util/words";
 import { gallery, galleryStyle } from "./gallery";
+import { shelf, shelfStyle } from "./shelf";
 import "./switch";
 
 const AXES: readonly Axis[] = ["+y", "+z", "+x", "-y", "-z", "-x"];
@@ -15,8 +16,8 @@ const SURFACE = "Its own surface is solved, as suits one closed piece";
 
 @customElement("rigless-panel-model")
 export class ModelPanel extends SessionElement {
-  protected readonly topics = ["document", "solve", "coming"] as const;
-  static override styles = [base, panel, galleryStyle];
+  protected readonly topics = ["document", "solve", "coming", "kept"] as const;
+  static override styles = [base, panel, galleryStyle, shelfStyle];
 
   protected override render() {
     const { session } = this;
@@ -53,6 +54,7 @@ export class ModelPanel extends SessionElement {
       </div>
       <rigless-switch label="Carry it by a solid" effect=${solid ? SOLID : SURFACE}
         .on=${solid} @switch=${this.setSolid}></rigless-switch>
+      ${session.keeping ? shelf(session.keeping) : ""}
     </section>`;
   }
 
