@@ -10,7 +10,7 @@ export interface KeyPress {
   readonly alt: boolean;
   /** The focus is in a field of text or a list of choices. */
   readonly typing: boolean;
-  /** The focus is on a button or a box to tick. */
+  /** The keyboard has put the focus on a button or a box to tick. */
   readonly onButton: boolean;
 }
 

@@ -42,7 +42,7 @@ export interface PointMark {
 
 /** What the stage shows beside the figures and the points. */
 export interface StageLook {
-  /** "pose": dots on the model drag; "points": pair lines show, and a click on the mesh or on a joint picks it. */
+  /** "points": pair lines show, and a click on the mesh or on a joint picks it. Dots on the model drag in both. */
   mode: "pose" | "points";
   /** "side": human left, model right; "overlay": on the same spot. */
   layout: "side" | "overlay";

@@ -4,7 +4,7 @@ import { debugPage } from "./debug";
 import { handleKey } from "../app/keys";
 import type { StagePort } from "../app/ports";
 import type { Session } from "../app/session";
-import { pressOf } from "./keys";
+import { focused, pressOf } from "./keys";
 import { base } from "./styles";
 import type { Intro } from "./elements/intro";
 import "./elements/intro";
@@ -42,6 +42,8 @@ export class App extends LitElement {
   private readonly narrow = matchMedia("(max-width: 719px)");
   private readonly resized = new ResizeObserver(() => this.measure());
   private framing = 0;
+  private clicked: Element | null = null;
+  private spaceIsOurs = false;
 
   static override styles = [
     base,
@@ -95,7 +97,9 @@ export class App extends LitElement {
     super.connectedCallback();
     this.phone = this.narrow.matches;
     this.narrow.addEventListener("change", this.narrowed);
+    addEventListener("click", this.pointed);
     addEventListener("keydown", this.keyed);
+    addEventListener("keyup", this.keyUp);
     for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) addEventListener(name, this.dragged);
     addEventListener("beforeunload", this.leaving);
   }
@@ -103,7 +107,9 @@ export class App extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.narrow.removeEventListener("change", this.narrowed);
+    removeEventListener("click", this.pointed);
     removeEventListener("keydown", this.keyed);
+    removeEventListener("keyup", this.keyUp);
     for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) removeEventListener(name, this.dragged);
     removeEventListener("beforeunload", this.leaving);
     this.resized.disconnect();
@@ -169,8 +175,23 @@ export class App extends LitElement {
     this.phone = this.narrow.matches;
   };
 
+  /** A button that was clicked has had its turn: the next Space plays. */
+  private readonly pointed = (event: MouseEvent): void => {
+    if (event.detail > 0) this.clicked = focused();
+  };
+
   private readonly keyed = (event: KeyboardEvent): void => {
-    if (!event.defaultPrevented && handleKey(this.session.actions, pressOf(event))) event.preventDefault();
+    if (event.key === "Tab") this.clicked = null;
+    if (event.defaultPrevented || !handleKey(this.session.actions, pressOf(event, this.clicked))) return;
+    event.preventDefault();
+    if (event.key === " ") this.spaceIsOurs = true;
+  };
+
+  /** Some browsers press a button when Space comes up again. */
+  private readonly keyUp = (event: KeyboardEvent): void => {
+    if (event.key !== " " || !this.spaceIsOurs) return;
+    event.preventDefault();
+    this.spaceIsOurs = false;
   };
 
   private readonly leaving = (event: BeforeUnloadEvent): void => {

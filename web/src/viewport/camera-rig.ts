@@ -7,6 +7,9 @@ import { AZIMUTH, ELEVATION, FIELD_OF_VIEW, frame, pixelsPerMetre, TARGET_HEIGHT
 
 CameraControls.install({ THREE: { Box3, Matrix4, Quaternion, Raycaster, Sphere, Spherical, Vector2, Vector3, Vector4 } });
 
+/** A hand that let go may take again: the picture stays so long. */
+const HOLD_MS = 1000;
+
 /** A point on the stage in CSS pixels, and its distance along the view. */
 export interface Projected {
   x: number;
@@ -31,13 +34,16 @@ export class CameraRig {
   private shown = false;
   /** It was seen: from now on the camera moves smoothly. */
   private placed = false;
+  /** A hand holds something in the picture, or has just let go. */
+  private held = false;
+  private release: ReturnType<typeof setTimeout> | undefined;
   private readonly scratch = new Vector3();
   private readonly spherical = new Spherical();
 
   constructor(
     element: HTMLElement,
     private readonly still: boolean,
-    onInput: () => void,
+    private readonly onInput: () => void,
   ) {
     const controls = new CameraControls(this.camera, element);
     const { ACTION } = CameraControls;
@@ -73,6 +79,7 @@ export class CameraRig {
 
   /** The starting view again. */
   fit(): void {
+    this.held = false;
     this.byHand = false;
     this.distance = 0;
     this.zoom = 1;
@@ -80,6 +87,22 @@ export class CameraRig {
     void this.controls.setTarget(0, TARGET_HEIGHT, 0, smooth);
     void this.controls.rotateTo(AZIMUTH, Math.PI / 2 - ELEVATION, smooth);
     this.reframe();
+  }
+
+  /** Nothing moves under a hand: what the framing asks for meanwhile comes a second after it let go. */
+  hold(on: boolean): void {
+    clearTimeout(this.release);
+    if (on) {
+      this.held = true;
+      this.controls.stop();
+      this.shiftGoal.copy(this.shift);
+    } else {
+      this.release = setTimeout(() => {
+        this.held = false;
+        this.reframe();
+        this.onInput();
+      }, HOLD_MS);
+    }
   }
 
   setPanning(on: boolean): void {
@@ -124,6 +147,7 @@ export class CameraRig {
   }
 
   dispose(): void {
+    clearTimeout(this.release);
     this.controls.dispose();
   }
 
@@ -133,7 +157,7 @@ export class CameraRig {
   }
 
   private reframe(): void {
-    if (this.view.width < 2 || this.view.height < 2) return;
+    if (this.view.width < 2 || this.view.height < 2 || this.held) return;
     const { byHand, controls } = this;
     const framing = frame(this.view, byHand ? this.seen() : this.content);
     this.shiftGoal.set(framing.shiftX, framing.shiftY);

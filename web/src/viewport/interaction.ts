@@ -68,7 +68,7 @@ export class Interaction {
     marks.overlay.setHover(null);
     const mark = this.pressed && marks.overlay.find(this.pressed.id, this.pressed.on);
     if (mark) marks.overlay.press(mark);
-    const drags = mark !== null && mark.on === "model" && marks.mode === "pose";
+    const drags = mark !== null && canDrag(mark);
     this.element.style.cursor = drags ? "grabbing" : "";
     this.setNear(drags);
     this.refresh();
@@ -115,7 +115,8 @@ export class Interaction {
     marks.pointer = at;
     const hit = at && marks.pointAt(at, false);
     const changed = marks.overlay.setHover(hit);
-    this.element.style.cursor = !hit ? "" : hit.on === "model" && marks.mode === "pose" ? "grab" : "pointer";
+    const mark = hit && marks.overlay.find(hit.id, hit.on);
+    this.element.style.cursor = !hit ? "" : mark && canDrag(mark) ? "grab" : "pointer";
     if (changed || marks.live || marks.mode === "points") this.refresh();
   }
 
@@ -127,7 +128,7 @@ export class Interaction {
       "keydown",
       (event) => {
         const mark = owner(event);
-        if (!mark || mark.on !== "model" || this.marks.mode !== "pose") return;
+        if (!mark || !canDrag(mark)) return;
         if (!this.hand.keyDown(event, mark.id, this.marks.pointPosition(mark.point, this.place))) return;
         event.preventDefault();
         event.stopPropagation();
@@ -136,13 +137,19 @@ export class Interaction {
       },
       { signal },
     );
-    const end = (stop: () => void): void => {
-      stop();
+    const ended = (): void => {
       if (!this.hand.holding) overlay.setHeld(null);
       this.refresh();
     };
-    overlay.element.addEventListener("keyup", (event) => end(() => this.hand.keyUp(event.key)), { signal });
-    overlay.element.addEventListener("focusout", () => end(() => this.hand.endKeys()), { signal });
+    overlay.element.addEventListener("keyup", (event) => this.hand.keyUp(event.key, ended), { signal });
+    overlay.element.addEventListener(
+      "focusout",
+      () => {
+        this.hand.endKeys();
+        ended();
+      },
+      { signal },
+    );
     overlay.element.addEventListener("focusin", () => this.refresh(), { signal });
     // Enter, Space and assistive technology; a pointer's click comes through the pointer.
     overlay.element.addEventListener(
@@ -154,4 +161,9 @@ export class Interaction {
       { signal },
     );
   }
+}
+
+/** A dot of the model that is a point already. */
+function canDrag({ on, point }: PlacedMark): boolean {
+  return on === "model" && !point.suggested;
 }

@@ -5,6 +5,7 @@ import type { CameraRig } from "./camera-rig";
 import type { Emitter } from "../util/emitter";
 import type { StageEvents } from "../stage/port";
 
+const KEYS_REST_MS = 700;
 const STEP = 0.01;
 const FINE_STEP = 0.002;
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
@@ -22,6 +23,7 @@ export class PointHand {
   readonly origin = new Vector3();
   readonly target = new Vector3();
   private byKeys = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
   private readonly scene = new Vector3();
 
   /** `offset`: from the model's world to the drawn scene. */
@@ -38,6 +40,7 @@ export class PointHand {
     this.byKeys = false;
     this.origin.copy(at);
     this.target.copy(at);
+    this.rig.hold(true);
     this.events.emit("point-grab", { id });
   }
 
@@ -51,6 +54,8 @@ export class PointHand {
     if (!this.holding || this.id === null) return;
     const id = this.id;
     this.holding = false;
+    clearTimeout(this.rest);
+    this.rig.hold(false);
     if (cancelled) this.id = null;
     this.events.emit(cancelled ? "point-cancel" : "point-drop", { id });
   }
@@ -72,6 +77,7 @@ export class PointHand {
       this.grab(id, at);
       this.byKeys = true;
     }
+    clearTimeout(this.rest);
     const step = event.shiftKey ? FINE_STEP : STEP;
     this.scene.addVectors(this.target, this.offset);
     this.rig.moveMetres(this.scene, arrow[0] * step, arrow[1] * step, false);
@@ -79,9 +85,14 @@ export class PointHand {
     return true;
   }
 
-  /** One press of an arrow key, however long, is one drag. */
-  keyUp(key: string): void {
-    if (key in ARROWS) this.endKeys();
+  /** A burst of arrow keys is one drag: it ends when they rest. */
+  keyUp(key: string, ended: () => void): void {
+    if (!(key in ARROWS) || !this.byKeys || !this.holding) return;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => {
+      this.endKeys();
+      ended();
+    }, KEYS_REST_MS);
   }
 
   endKeys(): void {

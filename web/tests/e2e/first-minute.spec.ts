@@ -26,6 +26,8 @@ test("dragging a dot makes a pose, the whole dance follows, and one undo brings 
   await dragBy(page, at, 70, -40);
   await expect(page.getByText(/^Top: \d+ cm/)).toBeVisible();
   await expect(page.getByText("held")).toBeVisible();
+  const dot = await pointAt(page, "Top");
+  expect(Math.hypot(dot.x - (at.x + 70), dot.y - (at.y - 40))).toBeLessThan(2); // under the pointer, from the first drag on
   await page.mouse.up();
   await expect(page.getByRole("heading", { name: "You made a pose." })).toBeVisible();
   await settled(page);
@@ -61,9 +63,10 @@ test("Esc lets go of a dot and nothing has happened", async ({ page }) => {
   expect(await dance(page)).toBe(before.dance);
 });
 
-test("dragging again at the same frame changes that pose", async ({ page }) => {
+test("dragging again at the same frame changes that pose, with the points open too; Space plays after a click", async ({ page }) => {
   await open(page);
   await pauseBetweenPoses(page);
+  await page.getByRole("button", { name: "Points", exact: true }).click();
   const count = (await documentOf(page)).examples.length;
   for (const name of ["Top", "Left arm"]) {
     await dragBy(page, await pointAt(page, name), 30, -20);
@@ -71,6 +74,20 @@ test("dragging again at the same frame changes that pose", async ({ page }) => {
     await settled(page);
     expect((await documentOf(page)).examples.length).toBe(count + 1);
   }
+  for (const clicked of ["Overlay", "Loop"]) {
+    await page.getByRole("button", { name: clicked, exact: true }).click();
+    const pressed = await page.getByRole("button", { name: clicked, exact: true }).getAttribute("aria-pressed");
+    const playing = await page.evaluate(() => rigless!.playing);
+    await page.keyboard.press("Space");
+    expect(await page.evaluate(() => rigless!.playing)).toBe(!playing);
+    await expect(page.getByRole("button", { name: clicked, exact: true })).toHaveAttribute("aria-pressed", pressed ?? "");
+  }
+  await page.getByRole("button", { name: "Loop", exact: true }).focus();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Shift+Tab");
+  const loops = await page.getByRole("button", { name: "Loop", exact: true }).getAttribute("aria-pressed");
+  await page.keyboard.press("Space");
+  await expect(page.getByRole("button", { name: "Loop", exact: true })).not.toHaveAttribute("aria-pressed", loops ?? "");
 });
 
 test("the playhead scrubs, steps and goes from pose to pose", async ({ page }) => {

@@ -3,6 +3,9 @@ import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { base } from "../styles";
 
+/** So many poses make a dance; what follows makes it better. */
+const FIRST = 4;
+
 /** A strip as high as a frame is far from what the poses teach; its peak asks for one. */
 @customElement("rigless-coverage-strip")
 export class CoverageStrip extends SessionElement {
@@ -35,8 +38,14 @@ export class CoverageStrip extends SessionElement {
     const { have, want } = performance.enough;
     const [best] = coverage.asked;
     const last = performance.frames - 1;
-    const label = have < want ? `${have} of ${want} poses` : "Guesswork";
-    const words = have < want ? `${have} of ${want} poses that would teach this dance` : "your poses teach this dance";
+    const first = Math.min(FIRST, want);
+    const label = have < first ? `${have} of ${first} poses` : have < want ? "Better still" : "Guesswork";
+    const words =
+      have < first
+        ? `${have} of ${first} poses that would make a start`
+        : have < want
+          ? `${have} of ${want} poses that would teach this dance`
+          : "your poses teach this dance";
     return html`<span class="label" title="How far each frame is from the nearest pose">${label}</span>
       <div class="lane"><svg viewBox="0 0 ${last} 1" preserveAspectRatio="none" role="img" aria-label="Guesswork: ${words}"
         >${svg`<path d=${outline(performance.coverage)} />`}</svg>

@@ -73,7 +73,7 @@ export class Range extends LitElement {
       <div class="range ${this.track} ${this.held ? "is-held" : ""}" style="--p:${this.value / this.max}">
         <svg viewBox="0 0 224 24" preserveAspectRatio="none" aria-hidden="true">${drawing}</svg>
         <svg class="on" viewBox="0 0 224 24" preserveAspectRatio="none" aria-hidden="true">${svg`<path d=${TRACKS[this.track]}/>`}</svg>
-        <input id="slider" type="range" min="0" max=${this.max} step="0.01" .value=${String(this.value)} aria-valuetext=${shown}
+        <input id="slider" type="range" min="0" max=${this.max} step="0.01" .value=${String(Math.round(100 * this.value) / 100)} aria-valuetext=${shown}
           @input=${this.input} @change=${this.change} @dblclick=${this.reset}
           @pointerdown=${() => (this.held = true)} @pointerup=${this.letGo} @pointercancel=${this.letGo} />
       </div>

@@ -46,7 +46,7 @@ export class TopBar extends SessionElement {
       <i class="rule"></i>
       <input class="project" aria-label="Name of the project" spellcheck="false" autocomplete="off"
         .value=${document.name} @change=${this.rename} @keydown=${this.leave} />
-      <span class="saved" aria-live="off">${history.saved ? "Saved" : "Not saved yet"}</span>
+      <span class="saved" aria-live="off">${history.saved ? "Saved" : history.unkept ? "Not saved yet" : "Kept in this browser"}</span>
       <span class="undo">
         ${actionButton(actions.undo, { class: "btn icon", drawing: icon("undo") })}
         ${actionButton(actions.redo, { class: "btn icon", drawing: icon("redo") })}
