@@ -36,6 +36,7 @@ using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
 using Solve = rigless::Solve;
 using ConstraintKind = rigless::ConstraintKind;
+using FollowThrough = rigless::FollowThrough;
 
 // Constants that both sides know.
 inline constexpr double fps = rigless::performance_fps;              // of every performance

@@ -33,6 +33,7 @@ struct Play {
   bool own_flights = false;
   std::vector<std::int32_t> mirror;
   Vec3d mirror_normal = Vec3d::UnitX();
+  std::vector<rigless::FollowThrough> follow;
   rigless::PerformanceBuilder<double> builder;
   rigless::Performance<float> performance;
   bool made = false;
@@ -83,6 +84,13 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
   plays[performance].mirror_normal = {x, y, z};
 }
 
+// follow: C, how those without a joint hang on the body.
+RIGLESS_EXPORT void performance_follow(ObjectHandle performance, const std::int32_t* follow, std::int32_t controls) {
+  plays[performance].follow.clear();
+  for (const std::int32_t one : view<std::int32_t>(follow, controls))
+    plays[performance].follow.push_back(static_cast<rigless::FollowThrough>(one));
+}
+
 // pairs: C; rest: C x 3, the controls at rest; limbs: C x 5, of body_limbs(), or 0; floor, height: of the mesh at rest;
 // example_joints: N x J x 3 body-local metres, NaN where unknown; example_controls: N x C x 3. The motion must stay
 // until performance_progress() is 1.
@@ -90,7 +98,7 @@ RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHa
                                               const float* rest, const float* limbs, std::int32_t controls,
                                               double floor, double height, const float* example_joints,
                                               const float* example_controls, std::int32_t examples, double smoothness,
-                                              std::int32_t ground_contact, std::int32_t in_place) {
+                                              std::int32_t ground_contact, std::int32_t in_place, double energy) {
   const rigless::StagedMotion<double>& staged = motions[motion].staged;
   const std::vector<Vec3d> rest_controls = widen(rest, controls);
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
@@ -106,12 +114,13 @@ RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHa
   input.floor = floor;
   input.height = height;
   input.examples = {joints, places};
-  input.settings = {smoothness, ground_contact != 0, in_place != 0};
+  input.settings = {smoothness, ground_contact != 0, in_place != 0, energy};
   Play& play = plays[performance];
   const Span<const rigless::Flight> flights = play.flights;
   input.constraints = play.constraints;
   input.contacts = play.contacts;
   if (play.own_flights) input.flights = &flights;
+  input.follow = play.follow;
   input.mirror = play.mirror;
   input.mirror_normal = play.mirror_normal;
   return pack(play.builder.begin(input));

@@ -35,6 +35,7 @@ struct MeshPoint {
   std::string joint;                   // name, or part of the body ("left foot"); empty: follows the whole pose
   S radius = S(default_radius);        // of what moves as one piece with it, in mesh heights: see Control
   bool slab = false;                   // of the trunk: see Control
+  FollowThrough follow = FollowThrough::bouncy;  // without a joint: how it hangs on the body
 };
 
 // "When the human does this, my mesh does that."
@@ -59,7 +60,7 @@ struct RetargetMeshOptions {
   std::optional<MeshAxes> axes;          // not said: Y up and Z front, but guessed from the shape when the points are
   Solve solve = Solve::solid;            // surface: the mesh's own, as in the paper; for clean closed ones
   S volume = 1;                          // lambda_v: 0 rotations only, 1 natural, 3 exaggerated
-  PerformanceSettings<double> settings;  // smoothness, contact with the ground, travel
+  PerformanceSettings<double> settings;  // smoothness, contact with the ground, travel, energy
 };
 
 // A mesh that acts out a motion: V vertices over T frames. Empty until retarget_mesh() fills it.
@@ -195,6 +196,9 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   if (const Status status = detail::pose_examples(input.poses, controls.size(), made->stage, motion, examples);
       !status.ok())
     return status;
+  std::vector<FollowThrough> follow;
+  for (std::size_t c = 0; c < joints.size(); ++c)
+    follow.push_back(joints[c] < 0 ? made->points[c].follow : FollowThrough::stiff);
   std::vector<Vec3<double>> resting;
   for (const Vec3<S>& p : made->body.rest_controls()) resting.push_back(p.template cast<double>());
   const detail::Bounds<S> box = detail::bounds(made->body.rest());
@@ -204,6 +208,7 @@ Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const Retarget
   play.pairs = joints;
   play.rest = resting;
   play.limbs = limbs;
+  play.follow = follow;
   play.floor = static_cast<double>(box.low.y());
   play.height = static_cast<double>(box.height());
   play.examples = examples.view();

@@ -135,7 +135,10 @@ std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
                                        motion.local.begin() + 13 * motion.clip.joints());
   const Bounds<S> box = bounds(body.rest());
   const std::vector<ModelLimb<double>> limbs = detail::model_limbs(body);
+  std::vector<FollowThrough> follow(pairs.size(), FollowThrough::stiff);
+  follow.back() = FollowThrough::bouncy;
   PerformanceInput<double> input;
+  input.follow = follow;
   input.motion = &motion;
   input.pairs = pairs;
   input.rest = resting;

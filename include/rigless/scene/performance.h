@@ -22,6 +22,9 @@ struct ContactEdit {
   FrameRun run = {0, 0};
 };
 
+// How a control that no joint moves hangs on the body.
+enum class FollowThrough : std::int32_t { stiff, bouncy, floppy };
+
 // How much standing controls slide.
 template <class S>
 struct Slip {

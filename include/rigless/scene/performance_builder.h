@@ -7,6 +7,8 @@
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/starter_examples.h"
 #include "rigless/retarget/retarget.h"
+#include "rigless/scene/detail/accents.h"
+#include "rigless/scene/detail/follow_through.h"
 #include "rigless/scene/detail/ground.h"
 
 namespace rigless {
@@ -16,18 +18,20 @@ struct PerformanceSettings {
   S smoothness = S(default_smoothness);  // lambda_A at 30 fps
   bool ground_contact = true;            // feet that stand do not slide
   bool in_place = false;                 // the body does not travel
+  S energy = 0;                          // -1 calm, 0 as taught, 1 as in a cartoon
 };
 
 // What a performance is built from. J joints, C controls, N examples.
 template <class S>
 struct PerformanceInput {
   const StagedMotion<S>* motion = nullptr;
-  Span<const std::int32_t> pairs;  // C: joint, or -1: the whole pose
-  Span<const Vec3<S>> rest;        // C, controls at rest, stage metres
-  Span<const ModelLimb<S>> limbs;  // C: what each control is the end of; or empty
-  S floor = 0;                     // y of the lowest vertex at rest
-  S height = 1;                    // of the mesh at rest
-  Examples<S> examples;            // the user's; while they are few, starters are added
+  Span<const std::int32_t> pairs;    // C: joint, or -1: the whole pose
+  Span<const Vec3<S>> rest;          // C, controls at rest, stage metres
+  Span<const ModelLimb<S>> limbs;    // C: what each control is the end of; or empty
+  Span<const FollowThrough> follow;  // C: how those without a joint hang on the body; or empty: stiff
+  S floor = 0;                       // y of the lowest vertex at rest
+  S height = 1;                      // of the mesh at rest
+  Examples<S> examples;              // the user's; while they are few, starters are added
   PerformanceSettings<S> settings;
   Constraints<S> constraints;                   // of controls, body-local stage metres (per frame)
   Span<const ContactEdit> contacts;             // the user's own, of the controls that they name
@@ -47,6 +51,9 @@ class PerformanceBuilder {
     const StagedMotion<S>& motion = *input.motion;
     const std::int32_t joints = motion.clip.joints();
     if (const Status status = check(input); !status.ok()) return status;
+    std::vector<detail::ConstraintRow<S>> rows;  // checked on the clip itself: the solver knows frames around it too
+    const Status holds = detail::constraint_rows(input.constraints, motion.clip.frames, count_of(input.pairs), rows);
+    if (!holds.ok()) return holds;
     ExampleStorage<S> examples;
     examples.joints.assign(input.examples.joints.begin(), input.examples.joints.end());
     examples.controls.assign(input.examples.controls.begin(), input.examples.controls.end());
@@ -69,17 +76,23 @@ class PerformanceBuilder {
         static_cast<std::int32_t>(input.examples.controls.size() / controls_), {}, examples);
     if (!started.ok()) return started;
 
+    detail::exaggerate<S>(input.rest, input.settings.energy, examples.controls);
+    laps_ = {motion.clip.frames, motion.loop_period};
+    const std::vector<Vec3<S>> wound = laps_.wind<S>(motion.local, joints);
     RetargetInput<S> retarget;
-    retarget.joints = motion.local;
+    retarget.joints = wound;
     retarget.joint_count = joints;
     retarget.pairs = input.pairs;
     retarget.examples = examples.view();
-    retarget.constraints = input.constraints;
+    retarget.constraints = laps_.wind(input.constraints);
     RetargetOptions<S> options;
     options.fps = static_cast<S>(performance_fps);
     options.smoothness = input.settings.smoothness;
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
     settings_ = input.settings;
+    pairs_.assign(input.pairs.begin(), input.pairs.end());
+    follow_.assign(input.follow.begin(), input.follow.end());
+    height_ = input.height;
     constraints_ = input.constraints;
     ground_.travel_scale = input.height / std::max(detail::figure_height<S>(motion.local, joints), S(1e-6));
     starters_ = static_cast<std::int32_t>((examples.joints.size() - taught) / to_size(joints));
@@ -96,11 +109,16 @@ class PerformanceBuilder {
     Performance<S> p;
     if (const Status status = retargeter_.finish(p.controls); !status.ok()) return status;
     p.frames = motion_->clip.frames;
+    laps_.unwind(p.controls);
     p.flights = ground_.flights();
     p.yaw = motion_->yaw;
     p.contacts = ground_.labels();
     p.source_contacts = ground_.source_labels();
-    if (const Status status = ground_.stand(constraints_, settings_.ground_contact, p); !status.ok()) return status;
+    detail::give_accents<S>(*motion_, pairs_, constraints_, settings_.energy, p);
+    std::vector<Vec3<S>> root;
+    if (const Status status = ground_.stand(constraints_, settings_.ground_contact, p, root); !status.ok())
+      return status;
+    detail::follow_through<S>(follow_, root, height_, motion_->loop_period > 0, p);
     if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
     measure_constraints(p);
     p.opponents.assign(retargeter_.opponents().begin(), retargeter_.opponents().end());
@@ -119,6 +137,7 @@ class PerformanceBuilder {
     if (controls == 0) return {Error::no_controls, -1};
     if (in.rest.size() != in.pairs.size()) return {Error::size_mismatch, -1};
     if (!in.mirror.empty() && in.mirror.size() != in.pairs.size()) return {Error::size_mismatch, -1};
+    if (!in.follow.empty() && in.follow.size() != in.pairs.size()) return {Error::size_mismatch, -1};
     const std::size_t examples = in.examples.controls.size() / in.pairs.size();
     if (in.examples.controls.size() != examples * in.pairs.size() ||
         in.examples.joints.size() != examples * to_size(in.motion->clip.joints()))
@@ -158,6 +177,10 @@ class PerformanceBuilder {
   PerformanceSettings<S> settings_;
   Constraints<S> constraints_;
   detail::Ground<S> ground_;
+  std::vector<std::int32_t> pairs_;    // C
+  std::vector<FollowThrough> follow_;  // C, or none
+  S height_ = 1;
+  detail::LapMargin laps_;
   std::int32_t starters_ = 0;
   std::size_t controls_ = 0;
 };

@@ -7,6 +7,7 @@
 #include "rigless/motion/contacts.h"
 #include "rigless/motion/detail/body_frame.h"
 #include "rigless/motion/detail/resample.h"
+#include "rigless/scene/detail/loop.h"
 #include "rigless/scene/performance.h"
 
 namespace rigless {
@@ -20,6 +21,7 @@ struct StagedMotion {
   JointRoles roles;
   std::vector<std::uint8_t> left, right;  // T, 1 while the foot stands; found at the rate of the file
   std::vector<Flight> flights;
+  std::int32_t loop_period = 0;    // frames after which it begins again; 0: it does not
   std::int32_t source_frames = 0;  // of the file
   S source_fps = 0;
 };
@@ -41,6 +43,7 @@ Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion
   for (Vec3<S>& p : staged.clip.positions) p -= origin;
   staged.yaw = detail::body_yaw(staged.clip);
   staged.local = detail::body_local_positions<S>(staged.clip, staged.yaw);
+  staged.loop_period = detail::loop_period<S>(staged.local, staged.clip.skeleton.names.size());
   staged.roles = roles;
   const Contacts contacts = find_contacts(source, roles);
   const auto fps = static_cast<S>(performance_fps);

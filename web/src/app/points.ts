@@ -1,10 +1,13 @@
 import * as commands from "../document/commands";
-import type { Vec3 } from "../document/types";
+import type { FollowThrough, Vec3 } from "../document/types";
 import { describeJoints } from "../skeleton/pair-joints";
 import { pointJoints, sayJoint } from "../sync/pairing";
 import type { Context } from "./context";
 
-export type { Point } from "../document/types";
+export { DEFAULT_FOLLOW } from "../document/types";
+export type { FollowThrough, Point } from "../document/types";
+
+export const FOLLOWS: readonly FollowThrough[] = ["stiff", "bouncy", "floppy"];
 
 export interface Driver {
   /** As the motion calls it. */

@@ -69,8 +69,8 @@ export class Session {
   }
 
   /**
-   * Begins with what the browser keeps, or else with the cactus. The stage is built while the engine bakes: its shaders keep the page busy, and the engine would
-   * wait for its orders behind them.
+   * Begins with what the browser keeps, or else with the cactus. The stage is built while the engine bakes: its shaders keep
+   * the page busy, and the engine would wait for its orders behind them.
    */
   async start(buildStage: () => StagePort): Promise<void> {
     const { selection, workspace } = this.context;

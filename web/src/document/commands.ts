@@ -9,6 +9,7 @@ import type { Axis, Example, MeshRef, MotionRef, Point, ProjectDocument, Setting
 export const DEFAULT_SETTINGS: Settings = {
   volume: 1,
   smoothness: DEFAULT_SMOOTHNESS,
+  energy: 0,
   groundContact: true,
   inPlace: false,
   symmetry: true,

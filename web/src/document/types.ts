@@ -24,6 +24,11 @@ export interface MotionRef {
   readonly files: readonly string[];
 }
 
+export type FollowThrough = "stiff" | "bouncy" | "floppy";
+
+/** Of points without a joint. */
+export const DEFAULT_FOLLOW: FollowThrough = "bouncy";
+
 /** A control point: a place on the model and the joint that it follows. */
 export interface Point {
   readonly id: string;
@@ -36,6 +41,8 @@ export interface Point {
   readonly radius?: number;
   /** In a solid it holds a level slab instead of a ball: a trunk does not spin about a slab. */
   readonly slab?: boolean;
+  /** Without a joint: how it hangs on the body; default DEFAULT_FOLLOW. */
+  readonly follow?: FollowThrough;
   /** Id of the same point on the other side; its own in the middle. One that is not there counts as none. */
   readonly mirror?: string;
 }
@@ -56,6 +63,8 @@ export interface Settings {
   readonly volume: number;
   /** lambda_A at 30 fps: 0 snappy, 1 floaty; default DEFAULT_SMOOTHNESS. */
   readonly smoothness: number;
+  /** -1 calm, 0 as taught, 1 as in a cartoon. */
+  readonly energy: number;
   /** Feet do not slide. */
   readonly groundContact: boolean;
   /** Root motion in the plane is left out. */

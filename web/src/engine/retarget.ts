@@ -1,6 +1,6 @@
 // What the core is asked before it retargets, and what it answers.
 
-import { CONSTRAINT_KIND_NAMES } from "../util/constants";
+import { CONSTRAINT_KIND_NAMES, FOLLOW_THROUGH_NAMES } from "../util/constants";
 import { askRow, missRow, motionInfoRow, performanceInfoRow, writeConstraintInput } from "./abi";
 import type { BodyReport, Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
@@ -46,6 +46,7 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       input.smoothness,
       Number(input.groundContact),
       Number(input.inPlace),
+      input.energy ?? 0,
     ),
   );
   if (status !== 0) throw engineError(status, { kind: "retarget", constraints: inCoreOrder(constraints) });
@@ -84,9 +85,14 @@ function inCoreOrder(constraints: ConstraintInput[]): number[] {
   return CONSTRAINT_KIND_NAMES.flatMap((kind) => constraints.flatMap((one, n) => (one.kind === kind ? [n] : [])));
 }
 
-/** Contacts, flights and mirror images instead of those of the motion and the model. */
+/** Parts that follow; contacts, flights and mirror images instead of those of the motion and the model. */
 function edit(wasm: RiglessExports, heap: Heap, handle: Handle, controls: number, input: RetargetInput): void {
-  const { contacts = [], flights = null, mirror = null, mirrorPlane = null } = input;
+  const { contacts = [], flights = null, follow = [], mirror = null, mirrorPlane = null } = input;
+  if (follow.length > 0) {
+    if (follow.length !== controls) throw new EngineError("bad_controls", "Every control of the model needs one entry in what follows.");
+    const kinds = Int32Array.from(follow, (one) => FOLLOW_THROUGH_NAMES.indexOf(one));
+    heap.lend([kinds], ([at]) => wasm.performance_follow(handle, at, controls));
+  }
   for (const { control, runs } of contacts) {
     if (!Number.isInteger(control) || control < 0 || control >= controls) {
       throw new EngineError("bad_controls", "A contact is said of a point that the model does not have.");

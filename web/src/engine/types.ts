@@ -2,7 +2,7 @@
 // Spaces: "stage" is metres, Y up, the model facing +Z and standing on y = 0 around x = z = 0.
 // Letters: V vertices, F triangles, C controls, J joints, T frames (at 30 fps), N examples.
 
-import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, FileAxes, Solve } from "../util/constants";
+import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, FileAxes, FollowThrough, Solve } from "../util/constants";
 import type { SolidCells } from "../util/solid-cells";
 import type { ConstraintInput, ControlInput as CoreControl, Landmark } from "./abi";
 
@@ -154,6 +154,10 @@ export interface RetargetInput {
   volume: number;
   groundContact: boolean;
   inPlace: boolean;
+  /** -1 calm, 0 as taught, 1 as in a cartoon; default 0. */
+  energy?: number;
+  /** C: how controls without a joint hang on the body; default stiff. */
+  follow?: FollowThrough[];
   /** Constraints on single controls at single frames; default none. Repeated or contradicting ones meet half way: see `missed`. */
   constraints?: ConstraintInput[];
   /** Only the controls whose contacts were edited; default none. */

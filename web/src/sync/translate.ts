@@ -3,7 +3,7 @@
 
 import { clipOf } from "../document/clips";
 import { pointToStage, toStage } from "../document/stage-transform";
-import type { ClipEdits, MeshRef, Pin, ProjectDocument } from "../document/types";
+import { type ClipEdits, DEFAULT_FOLLOW, type MeshRef, type Pin, type ProjectDocument } from "../document/types";
 import type { BoundMeshInput, ConstraintInput, ContactInput, ControlInput, Motion, RetargetInput, Solve } from "../engine/types";
 import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
 import { exampleJoints, pointJoints } from "./pairing";
@@ -26,7 +26,7 @@ export function controlInputs(model: SolverModel, document: Pick<ProjectDocument
 }
 
 export function retargetInput(model: SolverModel, document: ProjectDocument, motion: Pick<Motion, "joints" | "frames">): RetargetInput {
-  const { smoothness, volume, groundContact, inPlace, symmetry } = document.settings;
+  const { smoothness, volume, energy, groundContact, inPlace, symmetry } = document.settings;
   const clip = clipOf(document);
   const known = exampleJoints(document, motion);
   return {
@@ -39,6 +39,8 @@ export function retargetInput(model: SolverModel, document: ProjectDocument, mot
     volume,
     groundContact,
     inPlace,
+    energy,
+    follow: document.points.map(({ joint, follow }) => (joint === null ? (follow ?? DEFAULT_FOLLOW) : "stiff")),
     constraints: pinsWithin(clip, motion.frames).map((pin) => constraintOf(model, document, pin)),
     contacts: contactInputs(document, clip, motion.frames),
     flights: clip.flights ? within(clip.flights, motion.frames - 1) : null,

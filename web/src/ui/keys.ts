@@ -4,7 +4,14 @@ import type { KeyPress } from "../app/keys";
 export function pressOf(event: KeyboardEvent, clicked: EventTarget | null): KeyPress {
   const target = event.composedPath()[0];
   const { key, shiftKey: shift, altKey: alt } = event;
-  return { key, ctrl: event.ctrlKey || event.metaKey, shift, alt, typing: isTyping(target), onButton: target !== clicked && isButton(target) };
+  return {
+    key,
+    ctrl: event.ctrlKey || event.metaKey,
+    shift,
+    alt,
+    typing: isTyping(target),
+    onButton: target !== clicked && isButton(target),
+  };
 }
 
 /** A field of text or a list of choices. */

@@ -83,3 +83,6 @@ export type Solve = (typeof SOLVE_NAMES)[number];
 
 export const CONSTRAINT_KIND_NAMES = ["position", "velocity"] as const;
 export type ConstraintKind = (typeof CONSTRAINT_KIND_NAMES)[number];
+
+export const FOLLOW_THROUGH_NAMES = ["stiff", "bouncy", "floppy"] as const;
+export type FollowThrough = (typeof FOLLOW_THROUGH_NAMES)[number];

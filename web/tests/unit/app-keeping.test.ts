@@ -1,8 +1,21 @@
 import { expect, test } from "vitest";
 import { dancingSession, file, said, TestShelf, testPorts } from "./app-support";
 
-const BOX =
-  "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 2 0\nv 1 2 0\nv 1 2 1\nv 0 2 1\nf 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+const BOX = `v 0 0 0
+v 1 0 0
+v 1 0 1
+v 0 0 1
+v 0 2 0
+v 1 2 0
+v 1 2 1
+v 0 2 1
+f 1 2 3 4
+f 8 7 6 5
+f 1 5 6 2
+f 2 6 7 3
+f 3 7 8 4
+f 4 8 5 1
+`;
 
 /** A page in which the name was changed twice, and which is closed then. */
 async function worked(shelf: TestShelf, memory?: ReturnType<typeof testPorts>["memory"]) {

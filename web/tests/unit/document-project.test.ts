@@ -36,7 +36,7 @@ const project: ProjectDocument = {
       flights: [[70, 82]],
     },
   },
-  settings: { volume: 1, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: false },
+  settings: { volume: 1, smoothness: 0.3, energy: 0.5, groundContact: true, inPlace: false, symmetry: false },
 };
 
 type Path = readonly (string | number)[];
@@ -79,7 +79,7 @@ describe("project files", () => {
       motion: { files: ["a.bvh"] },
       points: [],
       examples: [],
-      settings: { volume: 2, smoothness: 0.3, groundContact: true, inPlace: false, symmetry: true },
+      settings: { volume: 2, smoothness: 0.3, energy: 0, groundContact: true, inPlace: false, symmetry: true },
     });
   });
 

@@ -50,8 +50,9 @@ class Ground {
   // The tracks of the standing controls go into the world, get the root motion that keeps them where they stand and are
   // locked there; what the lock moved goes back into the body-local tracks. The height of the root is left behind: only
   // the deformed surface knows what touches the ground.
+  // `root`: T, where the body's origin goes; its height as the controls alone can tell.
   // On failure `p` is half done. Allocates. Errors: those of root_from_contacts() and lock_feet().
-  Status stand(const Constraints<S>& constraints, bool lock, Performance<S>& p) const {
+  Status stand(const Constraints<S>& constraints, bool lock, Performance<S>& p, std::vector<Vec3<S>>& root) const {
     const auto frames = to_size(p.frames);
     const std::size_t feet = standing_.control.size();
     std::vector<Vec3<S>> world, way;
@@ -64,7 +65,6 @@ class Ground {
     }
     RootMotionOptions<S> moving;
     moving.fps = static_cast<S>(performance_fps);
-    std::vector<Vec3<S>> root;
     Status status = root_from_contacts<S>(world, standing_.labels, standing_.ground, {way, travel_scale}, moving, root);
     if (!status.ok()) return status;
     for (std::size_t i = 0; i < world.size(); ++i) world[i] += root[i / feet];

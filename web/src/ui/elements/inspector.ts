@@ -50,6 +50,9 @@ export class Inspector extends SessionElement {
       <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${DEFAULT_SMOOTHNESS}
         low="snappy" high="floaty"
         @range=${this.slid("smoothness")}></rigless-range>
+      <rigless-range label="Energy" track="energy" .value=${settings.energy} .min=${-1} .max=${1} .rest=${0}
+        low="calm" high="cartoon"
+        @range=${this.slid("energy")}></rigless-range>
       <div class="switches">
         ${this.renderSwitch("groundContact", "Ground contact", this.contactEffect())}
         ${this.renderSwitch("inPlace", "In place", settings.inPlace ? "Stays on the spot" : "Travels as the dancer does")}
@@ -68,7 +71,7 @@ export class Inspector extends SessionElement {
       @switch=${(event: CustomEvent<boolean>) => settings.set(key, event.detail, false)}></rigless-switch>`;
   }
 
-  private slid(key: "volume" | "smoothness") {
+  private slid(key: "volume" | "smoothness" | "energy") {
     return ({ detail }: CustomEvent<RangeDetail>): void => this.session.settings.set(key, detail.value, detail.held);
   }
 

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Driver, Point } from "../../app/points";
+import { DEFAULT_FOLLOW, FOLLOWS, type Driver, type FollowThrough, type Point } from "../../app/points";
 import { SessionElement } from "../element";
 import { badge } from "../point-colors";
 import { base, panel } from "../styles";
@@ -58,6 +58,7 @@ export class PointsPanel extends SessionElement {
         <option value="" ?selected=${driver < 0}>the whole pose</option>
         ${drivers.map(({ name, label }, j) => html`<option value=${name} ?selected=${j === driver}>${label}</option>`)}
       </select></label>
+      ${point.joint === null ? this.renderFollow(point) : nothing}
       <label class="pair">Mirrors <select @change=${(event: Event) =>
         session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>
         <option value="" ?selected=${point.mirror === undefined}>nothing</option>
@@ -68,6 +69,14 @@ export class PointsPanel extends SessionElement {
       </select></label>
       <div class="row-acts"><button class="btn" @click=${() => session.points.remove(point.id)}>Delete</button></div>
     </div>`;
+  }
+
+  /** How a part that no joint moves hangs on the body. */
+  private renderFollow({ id, follow = DEFAULT_FOLLOW }: Point) {
+    return html`<label class="pair">Hangs on <select @change=${(event: Event) =>
+      this.session.points.set(id, { follow: (event.target as HTMLSelectElement).value as FollowThrough })}>
+      ${FOLLOWS.map((one) => html`<option value=${one} ?selected=${one === follow}>${one}</option>`)}
+    </select></label>`;
   }
 
   private nudge(event: KeyboardEvent, { id }: Point): void {

@@ -9,6 +9,7 @@ const TRACKS = {
     "C63.6 5.5 66.4 18.5 74 18.5C84.1 18.5 87.9 5.5 98 5.5C111.4 5.5 116.6 18.5 130 18.5",
     "C148.5 18.5 155.5 5.5 174 5.5C196 5.5 214 12 223 12",
   ].join(""),
+  energy: "M2 12Q9 10 16 12T30 12T44 12Q53 7 62 12T80 12T98 12Q109 3 120 12T142 12T164 12Q178 -1 192 12T220 12",
 } as const;
 
 /** `change` while the thumb moves (with `held`), and once more when it is let go. */
@@ -23,6 +24,7 @@ export class Range extends LitElement {
   @property() label = "";
   @property() track: keyof typeof TRACKS = "volume";
   @property({ type: Number }) value = 0;
+  @property({ type: Number }) min = 0;
   @property({ type: Number }) max = 1;
   /** Where a double-click goes. */
   @property({ type: Number }) rest = 0;
@@ -42,8 +44,8 @@ export class Range extends LitElement {
       path { vector-effect: non-scaling-stroke; }
       .volume path { fill: var(--well); stroke: var(--edge); stroke-width: 1; }
       .volume .on path { fill: var(--ink); stroke: var(--ink); }
-      .smooth path { fill: none; stroke: var(--edge); stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; }
-      .smooth .on path { stroke: var(--ink); stroke-width: 3; }
+      :is(.smooth, .energy) path { fill: none; stroke: var(--edge); stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; }
+      :is(.smooth, .energy) .on path { stroke: var(--ink); stroke-width: 3; }
       .on { clip-path: inset(-4px calc(100% - var(--x)) -4px -4px); }
       input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; background: none; appearance: none; cursor: grab;
         border-radius: var(--r-full); }
@@ -66,14 +68,16 @@ export class Range extends LitElement {
   ];
 
   protected override render() {
-    const shown = this.value.toFixed(1);
+    const { min, max, value } = this;
+    const exact = String(Math.round(100 * value) / 100);
+    const shown = (Math.round(10 * value) / 10 || 0).toFixed(1);
     const drawing = svg`<path d=${TRACKS[this.track]}/>`;
     return html`
       <div class="field-head"><label for="slider">${this.label}</label><output for="slider">${shown}</output></div>
-      <div class="range ${this.track} ${this.held ? "is-held" : ""}" style="--p:${this.value / this.max}">
+      <div class="range ${this.track} ${this.held ? "is-held" : ""}" style="--p:${(value - min) / (max - min)}">
         <svg viewBox="0 0 224 24" preserveAspectRatio="none" aria-hidden="true">${drawing}</svg>
         <svg class="on" viewBox="0 0 224 24" preserveAspectRatio="none" aria-hidden="true">${svg`<path d=${TRACKS[this.track]}/>`}</svg>
-        <input id="slider" type="range" min="0" max=${this.max} step="0.01" .value=${String(Math.round(100 * this.value) / 100)} aria-valuetext=${shown}
+        <input id="slider" type="range" min=${min} max=${max} step="0.01" .value=${exact} aria-valuetext=${shown}
           @input=${this.input} @change=${this.change} @dblclick=${this.reset}
           @pointerdown=${() => (this.held = true)} @pointerup=${this.letGo} @pointercancel=${this.letGo} />
       </div>

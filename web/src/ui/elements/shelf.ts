@@ -26,7 +26,8 @@ export const shelfStyle = css`
   .book { flex: 1; display: flex; align-items: center; gap: 8px; min-width: 0; min-height: 44px; padding: 2px 4px; border: 0;
     border-radius: 12px; background: none; color: var(--ink); font: var(--t-body); text-align: start; cursor: pointer; }
   .book:hover { background: var(--desk); }
-  .book img, .book i { flex: none; display: grid; place-items: center; width: 40px; height: 40px; object-fit: contain; color: var(--ink-3); }
+  .book img, .book i { flex: none; display: grid; place-items: center; width: 40px; height: 40px; object-fit: contain;
+    color: var(--ink-3); }
   .book span { display: grid; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
   .book small { font: var(--t-small); color: var(--ink-2); }
 `;

@@ -1,0 +1,180 @@
+// Accents: what smoothing takes from a movement near two hertz comes back, and more of it where that is asked for.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rigless/math/types.h"
+#include "rigless/retarget/constraints.h"
+#include "rigless/scene/detail/loop.h"
+#include "rigless/scene/staged_motion.h"
+
+namespace rigless::detail {
+
+inline constexpr double accent_gain = 4;          // frames squared, at 30 fps
+inline constexpr std::int32_t accent_reach = 13;  // frames, at 30 fps
+inline constexpr std::int32_t accent_rest = 8;    // frames in which a control comes to rest
+
+// A smoothed second difference, -reach to +reach: strongest at 2.8 Hz, and nothing where a track stands still. Smoothed
+// by binomial weights, which are exact.
+template <class S>
+std::array<S, 2 * accent_reach + 1> accent_kernel() {
+  std::array<S, 2 * accent_reach + 1> kernel{};
+  S binomial = S(1) / S(1 << (2 * accent_reach - 2));
+  for (std::int32_t k = 0; k <= 2 * accent_reach - 2; ++k) {
+    kernel[to_size(k)] += binomial;
+    kernel[to_size(k + 1)] -= 2 * binomial;
+    kernel[to_size(k + 2)] += binomial;
+    binomial = binomial * static_cast<S>(2 * accent_reach - 2 - k) / static_cast<S>(k + 1);
+  }
+  return kernel;
+}
+
+// How free each control is to move at each frame: 0 where `held`, 1 from accent_rest frames away. T x C. Allocates.
+inline std::vector<double> freedom_of(const std::vector<std::uint8_t>& held, std::size_t controls, std::int32_t frames,
+                                      std::int32_t period) {
+  std::vector<double> freedom(held.size(), 1);
+  for (std::int32_t f = 0; f < frames; ++f) {
+    for (std::size_t c = 0; c < controls; ++c) {
+      std::int32_t nearest = accent_rest;
+      for (std::int32_t k = 0; k < nearest; ++k)
+        for (const std::int32_t g : {f - k, f + k})
+          if (held[to_size(frame_around(g, frames, period)) * controls + c] != 0) nearest = k;
+      const double t = static_cast<double>(nearest) / accent_rest;
+      freedom[to_size(f) * controls + c] = t * t * (3 - 2 * t);
+    }
+  }
+  return freedom;
+}
+
+// One track at any frame: a loop goes on, another clip goes on beyond its ends as it came.
+template <class S>
+struct Track {
+  Span<const Vec3<S>> all;  // T x C
+  std::size_t count, index;
+  std::int32_t period;
+
+  std::int32_t frames() const { return static_cast<std::int32_t>(all.size() / count); }
+  Vec3<S> at(std::int32_t f) const {
+    const std::int32_t last = frames() - 1;
+    if (period > 0 || (f >= 0 && f <= last)) return all[to_size(frame_around(f, last + 1, period)) * count + index];
+    const std::int32_t end = f < 0 ? 0 : last;
+    return 2 * at(end) - at(std::clamp(2 * end - f, 0, last));
+  }
+};
+
+// The accent of a track at each frame, T: its smoothed acceleration. Allocates.
+template <class S>
+std::vector<Vec3<S>> accents_of(const Track<S>& track) {
+  const auto kernel = accent_kernel<S>();
+  std::vector<Vec3<S>> accents;
+  for (std::int32_t f = 0; f < track.frames(); ++f) {
+    accents.push_back(Vec3<S>::Zero());
+    for (std::int32_t k = -accent_reach; k <= accent_reach; ++k)
+      accents.back() += kernel[to_size(k + accent_reach)] * track.at(f + k);
+  }
+  return accents;
+}
+
+// How strong the accents of a track are beside its movement: mean squares of both. Allocates.
+template <class S>
+S accent_share(Span<const Vec3<S>> all, std::size_t count, std::size_t index, std::int32_t period) {
+  const Track<S> track{all, count, index, period};
+  Vec3<S> mean = Vec3<S>::Zero();
+  for (std::int32_t f = 0; f < track.frames(); ++f) mean += track.at(f) / static_cast<S>(track.frames());
+  S moved = 0, accent = 0;
+  for (std::int32_t f = 0; f < track.frames(); ++f) moved += (track.at(f) - mean).squaredNorm();
+  for (const Vec3<S>& a : accents_of(track)) accent += a.squaredNorm();
+  return moved > S(0) ? accent / moved : S(0);
+}
+
+// Takes `gain` times its accents from one of C tracks: a movement winds up before it begins and goes beyond where it
+// ends. freedom: T x C; grounded: it may only go up, since the body stands on it. Allocates. Source: Wang, Drucker,
+// Agrawala, Cohen, The Cartoon Animation Filter, 2006.
+template <class S>
+void accentuate(S gain, const std::vector<double>& freedom, bool grounded, std::size_t count, std::size_t index,
+                std::int32_t period, std::vector<Vec3<S>>& tracks) {
+  const std::vector<Vec3<S>> accents = accents_of(Track<S>{tracks, count, index, period});
+  for (std::size_t f = 0; f < accents.size(); ++f) {
+    const std::size_t i = f * count + index;
+    Vec3<S> move = -gain * static_cast<S>(freedom[i]) * accents[f];
+    if (grounded) move.y() = std::max(move.y(), S(0));
+    tracks[i] += move;
+  }
+}
+
+// The gain that gives a track the share of accents that its joint has, or as much of it as accent_gain can. Allocates.
+template <class S>
+S gain_towards(S share, std::size_t count, std::size_t index, std::int32_t period, const std::vector<Vec3<S>>& tracks) {
+  constexpr int halvings = 6;
+  S low = 0, high = S(accent_gain);
+  std::vector<Vec3<S>> one;
+  for (std::size_t f = 0; f < tracks.size() / count; ++f) one.push_back(tracks[f * count + index]);
+  const std::vector<double> free(one.size(), 1);
+  const auto share_with = [&](S gain) {
+    std::vector<Vec3<S>> tried = one;
+    accentuate<S>(gain, free, false, 1, 0, period, tried);
+    return accent_share<S>(tried, 1, 0, period);
+  };
+  if (share_with(low) >= share) return low;
+  if (share_with(high) <= share) return high;
+  for (int k = 0; k < halvings; ++k) {
+    const S middle = (low + high) / 2;
+    (share_with(middle) < share ? low : high) = middle;
+  }
+  return low;
+}
+
+// T x C, 1 where a constraint holds a control, or where it stands. Allocates.
+template <class S>
+std::vector<std::uint8_t> held_controls(const Constraints<S>& constraints, const Performance<S>& p) {
+  std::vector<std::uint8_t> held = p.contacts;
+  const auto hold = [&](std::int32_t control, std::int32_t frame) {
+    held[to_size(frame) * p.control_count() + to_size(control)] = 1;
+  };
+  for (const auto& c : constraints.positions) hold(c.track, c.frame);
+  for (const auto& c : constraints.velocities) {
+    hold(c.track, c.frame);
+    hold(c.track, c.frame - 1);
+  }
+  for (const auto& c : constraints.heights) {
+    hold(c.track, c.frame);
+    hold(c.other, c.frame);
+  }
+  return held;
+}
+
+// Gives each control the accents that its joint has, less of them for an energy below 0, more than it has for one
+// above; what stands or is constrained stays where it is. pairs: C. Allocates.
+template <class S>
+void give_accents(const StagedMotion<S>& motion, Span<const std::int32_t> pairs, const Constraints<S>& constraints,
+                  S energy, Performance<S>& p) {
+  const std::size_t controls = pairs.size(), joints = motion.clip.skeleton.names.size();
+  const std::int32_t period = motion.loop_period;
+  const std::vector<double> freedom = freedom_of(held_controls(constraints, p), controls, p.frames, period);
+  for (std::size_t c = 0; c < controls; ++c) {
+    S gain = S(accent_gain) * std::max(energy, S(0));
+    if (pairs[c] >= 0) {
+      const S share = accent_share<S>(motion.local, joints, to_size(pairs[c]), period);
+      gain += (1 + std::min(energy, S(0))) * gain_towards(share, controls, c, period, p.controls);
+    }
+    bool grounded = false;
+    for (std::size_t i = c; i < p.contacts.size(); i += controls) grounded = grounded || p.contacts[i] != 0;
+    accentuate(gain, freedom, grounded, controls, c, period, p.controls);
+  }
+}
+
+// Poses farther from rest, or nearer to it. rest: C; poses: N x C.
+template <class S>
+void exaggerate(Span<const Vec3<S>> rest, S energy, std::vector<Vec3<S>>& poses) {
+  constexpr double farther = 0.4;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Vec3<S>& from = rest[i % rest.size()];
+    poses[i] = from + (1 + S(farther) * energy) * (poses[i] - from);
+  }
+}
+
+}  // namespace rigless::detail

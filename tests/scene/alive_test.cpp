@@ -1,0 +1,135 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "scene/dancers.h"
+
+using namespace rigless;
+using namespace rigless::detail;
+using test::Cactus;
+
+namespace {
+
+using Vec3d = Vec3<double>;
+
+constexpr double pi = 3.14159265358979323846;
+
+// Two seconds of a swing of `amplitude` metres at some hertz.
+std::vector<Vec3d> swing(double hertz, double amplitude, std::int32_t frames = 60) {
+  std::vector<Vec3d> track;
+  for (std::int32_t f = 0; f < frames; ++f)
+    track.emplace_back(amplitude * std::sin(2 * pi * hertz * f / performance_fps), 1, 0);
+  return track;
+}
+
+double widest(const std::vector<Vec3d>& track) {
+  double most = 0;
+  for (const Vec3d& p : track) most = std::max(most, std::abs(p.x()));
+  return most;
+}
+
+std::vector<Vec3d> accentuated(std::vector<Vec3d> track, double gain) {
+  const std::vector<double> free(track.size(), 1);
+  accentuate<double>(gain, free, false, 1, 0, static_cast<std::int32_t>(track.size()), track);
+  return track;
+}
+
+template <class S>
+double step(const Performance<S>& p, std::int32_t a, std::int32_t b) {
+  const std::size_t controls = p.control_count();
+  double sum = 0;
+  for (std::size_t c = 0; c < controls; ++c)
+    sum += static_cast<double>(
+        (p.controls[to_size(a) * controls + c] - p.controls[to_size(b) * controls + c]).squaredNorm());
+  return std::sqrt(sum / static_cast<double>(controls));
+}
+
+}  // namespace
+
+TEST_CASE("a clip that comes back to where it began is a loop, with its first frame at its end or without") {
+  const std::vector<Vec3d> lap = swing(1, 0.3);
+  CHECK(loop_period<double>(lap, 1) == 60);
+  std::vector<Vec3d> twice = lap;
+  twice.push_back(lap[0]);
+  CHECK(loop_period<double>(twice, 1) == 60);
+  std::vector<Vec3d> cut(lap.begin(), lap.begin() + 40);
+  CHECK(loop_period<double>(cut, 1) == 0);
+  CHECK(loop_period<double>({lap.data(), 4}, 1) == 0);
+  CHECK(frame_around(-1, 61, 60) == 59);
+  CHECK(frame_around(61, 61, 60) == 1);
+  CHECK(frame_around(61, 61, 0) == 60);
+}
+
+TEST_CASE("accents grow near two hertz; what is slow, or still, hardly does") {
+  const auto growth = [](double hertz) {
+    return widest(accentuated(swing(hertz, 0.3), 4)) / widest(swing(hertz, 0.3));
+  };
+  CHECK(growth(0.5) < 1.06);
+  CHECK(growth(2.5) > 1.4);
+  CHECK(growth(10) < 1.05);
+  const std::vector<Vec3d> still(60, Vec3d(1, 2, 3));
+  for (const Vec3d& p : accentuated(still, 4)) CHECK((p - still[0]).norm() < 1e-12);
+}
+
+TEST_CASE("a track gets the accents that its joint has, and no more") {
+  std::vector<Vec3d> joint = swing(0.5, 0.3), track = joint;
+  for (std::size_t f = 0; f < joint.size(); ++f) {
+    joint[f] += 0.3 * swing(2.5, 0.3)[f];
+    track[f] += 0.24 * swing(2.5, 0.3)[f];
+  }
+  const double share = accent_share<double>(joint, 1, 0, 60);
+  const double gain = gain_towards(share, 1, 0, 60, track);
+  CHECK(gain > 0.1);
+  CHECK(gain < accent_gain);
+  CHECK(accent_share<double>(accentuated(track, gain), 1, 0, 60) == doctest::Approx(share).epsilon(0.1));
+  CHECK(gain_towards(share, 1, 0, 60, joint) == 0);
+}
+
+TEST_CASE("a loop's seam is a step like every other") {
+  Cactus<double> cactus("run.bvh");
+  Performance<double> p;
+  REQUIRE(cactus.perform({}, p).ok());
+  REQUIRE(cactus.motion.loop_period >= p.frames - 1);
+  std::vector<double> steps;
+  for (std::int32_t f = 1; f < p.frames; ++f) steps.push_back(step(p, f - 1, f));
+  std::sort(steps.begin(), steps.end());
+  CHECK(step(p, p.frames - 1, 0) <= steps[steps.size() * 95 / 100]);
+}
+
+TEST_CASE("energy takes the poses farther from rest, or nearer to it") {
+  Cactus<double> cactus("disco.bvh");
+  const auto range = [&](double energy) {
+    PerformanceSettings<double> settings;
+    settings.energy = energy;
+    Performance<double> p;
+    REQUIRE(cactus.perform(settings, p).ok());
+    double sum = 0;
+    for (std::int32_t f = 1; f < p.frames; ++f) sum += step(p, f - 1, f);
+    return sum;
+  };
+  const double taught = range(0);
+  CHECK(range(-1) < 0.8 * taught);
+  CHECK(range(1) > 1.2 * taught);
+}
+
+TEST_CASE("a part that no joint moves lags, swings beyond and settles; a stiff one does not") {
+  // The body stands, makes one step to the side within four frames, and stands again.
+  std::vector<Vec3d> path;
+  for (std::int32_t f = 0; f < 90; ++f) path.emplace_back(0.3 * std::min(1.0, std::max(0.0, (f - 20) / 4.0)), 1, 0);
+  const std::vector<double> yaw(path.size(), 0);
+  const auto lag = [&](const Spring<double>& spring) { return spring_lag(spring, path, yaw, 0.4, false); };
+  const std::vector<Vec3d> bouncy = lag({2.2, 0.2});
+  double behind = 0, beyond = 0;
+  for (const Vec3d& p : bouncy) {
+    behind = std::min(behind, p.x());
+    beyond = std::max(beyond, p.x());
+  }
+  CHECK(behind < -0.1);
+  CHECK(beyond > 0.05);
+  CHECK(bouncy.back().norm() < 0.01);
+  CHECK(bouncy[19].norm() == 0);
+  for (const Vec3d& p : lag({2.2, 1})) CHECK(p.x() < beyond / 2);
+  for (const Vec3d& p : lag(spring_of<double>(FollowThrough::floppy))) behind = std::min(behind, p.x() + 0.02);
+  CHECK(behind < -0.15);
+  for (const Vec3d& p : lag({0.3, 0.2})) CHECK(p.norm() < 0.4);
+}
