@@ -36,16 +36,29 @@ export async function readFiles(paths: readonly string[]): Promise<{ given: Name
   return { given, beside: beside.flat() };
 }
 
-/** A model with what it names beside it, and a motion: files in any order. */
-export async function loadModelAndMotion(paths: readonly string[]): Promise<{ modelFiles: NamedFile[]; motion: FoundMotion }> {
+export interface ModelAndMotion {
+  /** The model's own file first. */
+  readonly modelFiles: NamedFile[];
+  /** Null where the motion is a clip of `clipFiles`. */
+  readonly motion: FoundMotion | null;
+  /** What readClips takes. */
+  readonly clipFiles: NamedFile[];
+}
+
+/** A model with what it names beside it, and a motion: files in any order. A model that moves needs no other file. */
+export async function loadModelAndMotion(paths: readonly string[]): Promise<ModelAndMotion> {
   const { given, beside } = await readFiles(paths);
-  const { models, motions, problems } = await sortFiles(given);
-  if (models.length === 1 && motions.length === 1 && problems.length === 0)
-    return { modelFiles: [models[0], ...beside], motion: motions[0] };
+  const { models, moves, motions, clips, problems } = await sortFiles(given);
+  const [model] = models;
+  const own = moves && motions.length + clips.length === 0 ? [model] : clips;
+  if (models.length === 1 && motions.length + own.length === 1 && problems.length === 0)
+    return { modelFiles: [model, ...beside], motion: motions[0] ?? null, clipFiles: [...own, ...beside] };
+  if (models.length === 1 && given.length === 1)
+    throw new FileError(`${given[0].name} holds no motion: name one beside it, as in ${given[0].name} motion.bvh.`);
   throw new FileError(
     problems[0] ??
       `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} ` +
-        `there are ${models.length} and ${motions.length}.`,
+        `there are ${models.length} and ${motions.length + own.length}.`,
   );
 }
 

@@ -5,12 +5,14 @@ import { basename } from "node:path";
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
 import type { Motion, MotionInput } from "../../src/engine/types";
+import type { FoundClip } from "../../src/io/clips/found-clip";
 import { everyFor, exportDance, sizeFault } from "../../src/io/export-dance";
 import { formatNamed, listed } from "../../src/io/formats";
 import { count } from "../../src/io/count";
 import type { Model } from "../../src/io/model";
 import type { Profile } from "../../src/io/profile";
 import { PROFILES } from "../../src/io/profiles";
+import type { FoundMotion } from "../../src/io/read-motion-files";
 import { keptFrames } from "../../src/io/write-glb";
 import { serializeTrack, trackOf } from "../../src/io/write-track";
 import { bake } from "../../src/sync/bake";
@@ -20,17 +22,19 @@ import { pairingFault, pairingNotes } from "../../src/sync/pairing";
 import { shapeInput } from "../../src/sync/shape-input";
 import { FileError, loadModelAndMotion, loadProject, OutputFiles } from "../files";
 import type { Progress } from "../progress";
-import { readModelInThread } from "../read-model";
+import { readClipsInThread, readModelInThread, type ThreadOptions } from "../parse-in-thread";
 import { readArguments, UsageError } from "../verb";
 
 export const help = `  rigless bake <project> --out dance.glb [--track track.json] [--every K] [--anyway]
   rigless bake <model> <motion> --out dance.glb [...]
+  rigless bake <model that moves> --out dance.glb [...]
 
 <project> is a project.json beside the files that it names, or a saved .rigless file.
 <model>: ${listed("model", "or")}. <motion>: ${listed("motion", "or")}, files in any order. How the
 model stands, where it is held and which joints move it is then guessed from its shape, and said.
 
   --out FILE     an animated GLB
+  --clip NAME    the motion to take of a file that holds several
   --profile P    how it holds the dance: ${PROFILES.map(({ id, words }) => `${id} (${words})`).join(", ")}
   --track FILE   the dance as numbers: points, root, contacts
   --every K      keep every K-th frame in the GLB (default 1)
@@ -38,6 +42,7 @@ model stands, where it is held and which joints move it is then guessed from its
 
 const OPTIONS = {
   out: { type: "string", short: "o" },
+  clip: { type: "string" },
   profile: { type: "string" },
   track: { type: "string" },
   every: { type: "string" },
@@ -48,6 +53,7 @@ interface BakeCommand {
   /** One project, or a model and the files of a motion. */
   inputs: string[];
   out: string | null;
+  clip: string | null;
   profile: Profile;
   track: string | null;
   every: number;
@@ -67,14 +73,15 @@ function commandOf(args: readonly string[]): BakeCommand {
   const kinds = inputs.map((input) => formatNamed(input)?.kind);
   if (kinds.some((kind) => kind === "project" || kind === "archive") && second !== undefined)
     throw new UsageError(`bake takes one project; "${second}" is too much.`);
-  if (kinds[0] === "model" && second === undefined)
+  if (kinds[0] === "model" && second === undefined && !formatNamed(first)?.clips)
     throw new UsageError(`bake needs a motion too: rigless bake ${first} motion.bvh --out dance.glb`);
   if (values.out === undefined && values.track === undefined) throw new UsageError("bake needs --out, --track or both.");
   const every = Number(values.every ?? 1);
   if (!Number.isInteger(every) || every < 1) throw new UsageError(`--every should be a whole number from 1, but it is "${values.every}".`);
   const profile = PROFILES.find(({ id }) => id === (values.profile ?? PROFILES[0].id));
   if (!profile) throw new UsageError(`--profile should be ${PROFILES.map(({ id }) => id).join(" or ")}, but it is "${values.profile}".`);
-  return { inputs, out: values.out ?? null, profile, track: values.track ?? null, every, anyway: values.anyway ?? false, progress };
+  const [out, clip, track] = [values.out ?? null, values.clip ?? null, values.track ?? null];
+  return { inputs, out, clip, profile, track, every, anyway: values.anyway ?? false, progress };
 }
 
 /** Errors (FileError): the GLB would be too large. */
@@ -109,15 +116,30 @@ async function openProject(path: string, progress: Progress, signal: AbortSignal
   return { document, model, motion };
 }
 
-function reading(progress: Progress, signal: AbortSignal): { signal: AbortSignal; onProgress: (done: number) => void } {
-  const step = "Reading the model";
+function reading(progress: Progress, signal: AbortSignal, step = "Reading the model"): ThreadOptions {
   progress.step(step);
   return { signal, onProgress: (done) => progress.step(step, done) };
 }
 
+/** Errors (UsageError): the file holds several and none is asked for, or none of this name; says which it holds. */
+function chosenClip(file: string, clips: readonly FoundClip[], wanted: string | null): FoundMotion {
+  const same = ({ name }: FoundClip): boolean => name.toLowerCase() === wanted?.toLowerCase();
+  const chosen = wanted === null && clips.length === 1 ? clips[0] : clips.find(same);
+  if (chosen) return chosen.motion;
+  const list = clips.map(({ name, seconds }) => `\n  ${name} (${seconds.toFixed(1)} s)`).join("");
+  throw new UsageError(
+    wanted === null
+      ? `${file} holds ${count(clips.length, "motion")}; choose one with --clip NAME:${list}`
+      : `${file} holds no motion "${wanted}", but:${list}`,
+  );
+}
+
 /** A model and a motion without a project: what a project would say is guessed. */
-async function guessed(paths: readonly string[], binding: Binding, progress: Progress, signal: AbortSignal): Promise<Opened> {
-  const { modelFiles, motion } = await loadModelAndMotion(paths);
+async function guessed({ inputs, clip, progress }: BakeCommand, binding: Binding, signal: AbortSignal): Promise<Opened> {
+  const { modelFiles, motion: read, clipFiles } = await loadModelAndMotion(inputs);
+  if (read && clip !== null) throw new UsageError(`--clip chooses a motion of an FBX or a GLB, but ${read.input.name} is one motion.`);
+  const motion =
+    read ?? chosenClip(clipFiles[0].name, await readClipsInThread(clipFiles, reading(progress, signal, "Reading the motion")), clip);
   const model = await readModelInThread(modelFiles, reading(progress, signal));
   progress.step("Looking at the model");
   const { joints } = await binding.takeMotion(motion.input, () => ({ signal }));
@@ -142,9 +164,9 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
   const binding = new Binding(engine);
   try {
     const { document, model, motion } =
-      command.inputs.length === 1
+      command.inputs.length === 1 && !formatNamed(command.inputs[0])?.clips
         ? await openProject(command.inputs[0], progress, signal)
-        : await guessed(command.inputs, binding, progress, signal);
+        : await guessed(command, binding, signal);
     const baked = await bake(
       binding,
       document,

@@ -12,6 +12,7 @@ import type { Taken } from "../sync/workspace";
 import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
 import type { Cast, Performer } from "./cast";
+import type { ClipFiles } from "./clip-files";
 import type { Context } from "./context";
 import { guessText, modelText, motionText, pairingText } from "./file-words";
 import type { Guesses } from "./guesses";
@@ -20,6 +21,8 @@ import type { MotionEntry, Motions } from "./motions";
 import type { NoticeInput } from "./notices";
 import type { Character, FileKind, PickedFile, Ports } from "./ports";
 import type { Sources } from "./sources";
+
+const STEPS = ["Read", "Understand", "Bind"];
 
 /** Who helps to open something. */
 export interface Openers {
@@ -35,11 +38,13 @@ export interface Openers {
 export class Opening {
   /** The file of the performer or motion that was chosen and is not there yet. */
   coming: string | null = null;
+  /** Once a file came that may hold several motions. */
+  clipFiles: ClipFiles | null = null;
 
   constructor(
     private readonly context: Context,
     private readonly openers: Openers,
-    private readonly ports: Pick<Ports, "readModel" | "files">,
+    private readonly ports: Pick<Ports, "readModel" | "readClips" | "files">,
   ) {}
 
   /** The cactus and its dance, to begin with; false if that failed. */
@@ -119,20 +124,21 @@ export class Opening {
   /** Asks for files and opens them. */
   async pick(kind: FileKind = "any"): Promise<void> {
     const files = await this.ports.files.pick(kind);
-    if (files.length > 0) await this.files(files);
+    if (files.length > 0) await this.files(files, kind);
   }
 
   /** Whatever was dropped or chosen: a project, or a model, or motions, or both. */
-  async files(files: readonly PickedFile[]): Promise<void> {
+  async files(files: readonly PickedFile[], kind: FileKind = "any"): Promise<void> {
     const names = files.map((file) => file.name);
     const title = names.length === 1 ? `Opening ${names[0]}` : `Opening ${names.length} files`;
-    await this.guarded(names.join(", "), () =>
-      this.openers.jobs.run(title, ["Read", "Understand", "Bind"], async (job) => {
+    await this.guarded(names.join(", "), async () => {
+      const sorted = await this.openers.jobs.run(title, STEPS, async (job) => {
         const named = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
         job.signal.throwIfAborted();
         job.step(1);
         const { sortFiles } = await import("../io/sort-files");
-        const sorted = await sortFiles(named);
+        const { skeletons } = this.openers.sources;
+        const sorted = await sortFiles(named, { skeletons, motionsOnly: kind === "motion" });
         const gesture = Symbol("open");
         if (sorted.project) await this.project(named, job, gesture);
         else {
@@ -140,10 +146,24 @@ export class Opening {
           await this.motions(sorted.motions, job, gesture);
           if (opened) await this.guess(opened, job);
         }
-        const nothing = !sorted.project && sorted.models.length === 0 && sorted.motions.length === 0;
+        const nothing = !sorted.project && [sorted.models, sorted.motions, sorted.clips].every(({ length }) => length === 0);
         for (const problem of sorted.problems) this.refuse(problem, nothing);
-      }),
-    );
+        return sorted;
+      });
+      for (const file of sorted.project ? [] : sorted.clips) await this.clips([file, ...sorted.files]);
+    });
+  }
+
+  /** Motions of the first of `files`, which may be a model too. */
+  private async clips(files: readonly NamedFile[]): Promise<void> {
+    const { context, openers, ports } = this;
+    const { ClipFiles } = await import("./clip-files");
+    this.clipFiles ??= new ClipFiles(context.signals, openers.jobs, ports.readClips);
+    const { clipFiles } = this;
+    await this.guarded(baseName(files[0].name), async () => {
+      const motions = (await clipFiles.of(files)).map(({ motion }) => motion);
+      if (motions.length > 0) await openers.jobs.run(motions[0].input.name, STEPS, (job) => this.motions(motions, job, Symbol("open")));
+    });
   }
 
   private async project(dropped: readonly NamedFile[], job: JobHandle, gesture: Gesture): Promise<void> {
@@ -171,7 +191,7 @@ export class Opening {
     const { sources, guesses } = this.openers;
     let opened: Model | null = null;
     await this.guarded(baseName(first.name), async () => {
-      const beside = sorted.files.filter((file) => !sorted.models.includes(file));
+      const beside = sorted.files.filter((file) => !sorted.models.includes(file) && !sorted.clips.includes(file));
       const model = await this.ports.readModel([first, ...beside], reading(job));
       job.step(2);
       const file = sources.addModel(first.name, model, [first, ...beside]);
@@ -182,6 +202,10 @@ export class Opening {
       selection.endIntro();
       opened = model;
       this.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
+      if (sorted.moves) {
+        const run = (): void => void this.clips([first, ...beside]);
+        this.say({ title: `${model.name} brings motions of its own.`, icon: "motion", actions: [{ label: "Choose", run }] });
+      }
     });
     for (const other of others) this.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
     return opened;

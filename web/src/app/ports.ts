@@ -3,6 +3,7 @@
 import type { ProjectDocument } from "../document/types";
 import type { Steps } from "../document/store";
 import type { Engine, MotionInput } from "../engine/types";
+import type { FoundClip } from "../io/clips/found-clip";
 import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
 
@@ -116,6 +117,11 @@ export interface Ports {
     files: readonly NamedFile[],
     options?: { signal?: AbortSignal; onProgress?: (done: number) => void },
   ) => Promise<Model>;
+  /** As io/clips/read-clips, likewise. */
+  readonly readClips: (
+    files: readonly NamedFile[],
+    options?: { signal?: AbortSignal; onProgress?: (done: number) => void },
+  ) => Promise<FoundClip[]>;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;
 }

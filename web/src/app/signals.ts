@@ -39,6 +39,8 @@ export interface Topics {
   pins: void;
   /** A pose is asked for, or not any more. */
   coverage: void;
+  /** A file's motions are to be chosen from, or not any more. */
+  clips: void;
   /** The stage was built. */
   stage: void;
   /** The model was put on the stage anew: V x 3, at rest. */

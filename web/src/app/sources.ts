@@ -40,6 +40,14 @@ export class Sources {
     return this.library.addMotion(files, input);
   }
 
+  /** Those of the motions that came so far. */
+  get skeletons(): NamedFile[] {
+    return this.library.motionFiles.flatMap(([name, motion]) => {
+      const text = motion === undefined ? undefined : this.library.motion([name, motion])?.skeleton?.text;
+      return text === undefined ? [] : [{ name, bytes: new TextEncoder().encode(text) }];
+    });
+  }
+
   of(model: SolverModel): Source | undefined {
     return this.sources.get(model);
   }

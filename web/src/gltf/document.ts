@@ -105,7 +105,7 @@ export interface GltfSampler extends Known {
 
 export interface GltfAnimation extends Known {
   channels: unknown[];
-  samplers: { input: number; output: number }[];
+  samplers: { input: number; output: number; interpolation?: string }[];
 }
 
 export interface Gltf extends Known {

@@ -16,6 +16,8 @@ export interface Format {
   readonly mediaType: string;
   /** Whether its content says so; without it only its name does. */
   readonly is?: (content: Content) => boolean;
+  /** Of a model: it may hold motions as well, or alone. */
+  readonly clips?: true;
   /** Files that it names, relative to it. */
   readonly names?: (text: string) => string[];
   /** Of a binary format: the text in which it names them. */

@@ -61,13 +61,14 @@ const MODELS = [
   },
   { id: "ply", kind: "model", words: "PLY", extensions: ["ply"], mediaType: "model/ply", is: ({ head }) => /^ply\s/.test(head) },
   { id: "stl", kind: "model", words: "STL", extensions: ["stl"], mediaType: "model/stl" },
-  { id: "gltf", kind: "model", words: "glTF", extensions: ["gltf"], mediaType: "model/gltf+json", names: gltfNames },
+  { id: "gltf", kind: "model", words: "glTF", extensions: ["gltf"], mediaType: "model/gltf+json", clips: true, names: gltfNames },
   {
     id: "glb",
     kind: "model",
     words: "GLB",
-    extensions: ["glb", "vrm"],
+    extensions: ["glb", "vrm", "vrma"],
     mediaType: "model/gltf-binary",
+    clips: true,
     is: ({ head }) => head.startsWith("glTF"),
     names: gltfNames,
     text: glbText,
@@ -78,6 +79,7 @@ const MODELS = [
     words: "FBX",
     extensions: ["fbx"],
     mediaType: "application/octet-stream",
+    clips: true,
     is: ({ head, text }) => head.startsWith("Kaydara FBX Binary") || /^(;.*\s+)*FBXHeaderExtension\b/.test(text),
     names: (text) => all(text, /RelativeFilename:[ \t]*"([^"\r\n]+)"/g),
     text: (bytes) => decodeText(bytes) ?? fbxPictures(bytes),
@@ -192,9 +194,13 @@ export function motionFormat(file: NamedFile): MotionFormat | null {
   return MOTIONS.find((known) => known === format) ?? null;
 }
 
+/** Whether files of a format can be used as a kind. */
+const serves = (format: Format, kind: FormatKind): boolean => format.kind === kind || (kind === "motion" && format.clips === true);
+
 /** "OBJ, OFF, PLY" as people call the formats of a kind; with `last`, "OBJ, OFF or PLY". */
 export function listed(kind: FormatKind, last?: "and" | "or"): string {
-  const words = FORMATS.filter((format) => format.kind === kind).map((format) => {
+  const own = FORMATS.filter((format) => format.kind === kind);
+  const words = [...own, ...FORMATS.filter((format) => serves(format, kind) && !own.includes(format))].map((format) => {
     const skeleton = "skeleton" in format ? FORMATS.find(({ id }) => id === format.skeleton) : undefined;
     return skeleton ? `${skeleton.words} with ${format.words}` : format.words;
   });
@@ -203,7 +209,7 @@ export function listed(kind: FormatKind, last?: "and" | "or"): string {
 
 /** What a dialog accepts that asks for files of these kinds: ".obj,.off". */
 export function accepted(kinds: readonly FormatKind[]): string {
-  return FORMATS.filter(({ kind }) => kinds.includes(kind))
+  return FORMATS.filter((format) => kinds.some((kind) => serves(format, kind)))
     .flatMap(({ extensions }) => extensions.map((end) => `.${end}`))
     .join(",");
 }

@@ -17,16 +17,20 @@ export interface FoundMotions {
   problems: string[];
 }
 
-/** All motions among `files`, in any order. A motion takes the skeleton whose name its own begins with, else the first one. */
-export async function findMotions(files: readonly NamedFile[]): Promise<FoundMotions> {
+/**
+ * All motions among `files`, in any order. A motion takes the skeleton whose name its own begins with, else the first one of `files`,
+ * else the first one `atHand`.
+ */
+export async function findMotions(files: readonly NamedFile[], atHand: readonly NamedFile[] = []): Promise<FoundMotions> {
   const motions: FoundMotion[] = [];
   const problems: string[] = [];
   const sources = files.flatMap((file) => sourceOf(file, problems));
   const skeletons = sources.filter(({ format }) => format.kind === "skeleton");
+  const others = atHand.flatMap((file) => sourceOf(file, []));
   for (const source of sources) {
     const format = motionFormat(source.file);
     if (!format) continue;
-    const own = skeletons.filter((other) => other.format.id === format.skeleton);
+    const own = [...skeletons, ...others].filter((other) => other.format.id === format.skeleton);
     const skeleton = own.find((other) => source.name.startsWith(stem(other.name))) ?? own[0];
     if (format.skeleton !== undefined && !skeleton) {
       problems.push(`${source.name} needs its skeleton: drop the .${format.skeleton} with it.`);

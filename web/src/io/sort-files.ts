@@ -2,6 +2,7 @@
 
 import type { FormatKind } from "./format";
 import { formatOf } from "./formats";
+import { holdingsOf } from "./holdings";
 import { baseName, type NamedFile } from "./named-file";
 import { findMotions, type FoundMotion } from "./read-motion-files";
 import { refusal } from "./refused";
@@ -10,23 +11,37 @@ import { isLeftBehind, isZip, unzip } from "./zip";
 export interface SortedFiles {
   /** A project's JSON; its model and motion are among `files`. */
   project: NamedFile | null;
-  /** One per model. readModel takes it together with `files`, where its materials and pictures are. */
+  /** One per model, the one to be opened first. readModel takes it together with `files`, where its materials and pictures are. */
   models: NamedFile[];
+  /** The first model holds motions too. */
+  moves: boolean;
   motions: FoundMotion[];
+  /** Other files that hold motions for readClips. */
+  clips: NamedFile[];
   /** Everything, zips unpacked. */
   files: NamedFile[];
   /** What was not used and why, in plain words. */
   problems: string[];
 }
 
+interface SortingOptions {
+  /** At hand for motions that come without theirs. */
+  readonly skeletons?: readonly NamedFile[];
+  /** A model that moves is wanted for its motions only. */
+  readonly motionsOnly?: boolean;
+}
+
 /** Errors (DocumentError): a zip that cannot be opened. */
-export async function sortFiles(dropped: readonly NamedFile[]): Promise<SortedFiles> {
+export async function sortFiles(
+  dropped: readonly NamedFile[],
+  { skeletons, motionsOnly = false }: SortingOptions = {},
+): Promise<SortedFiles> {
   const files = dropped.flatMap((file) => (isZip(file) ? unzip(file) : [file])).filter((file) => !isLeftBehind(file.name));
   const kinds = files.map((file) => formatOf(file)?.kind);
   const of = (kind: FormatKind): NamedFile[] => files.filter((_, k) => kinds[k] === kind);
   const projects = of("project").sort((a, b) => depth(a) - depth(b));
-  const models = of("model");
-  const { motions, problems } = await findMotions(files);
+  const { models, moves, clips } = bodiesAndClips(of("model"), motionsOnly);
+  const { motions, problems } = await findMotions(files, skeletons);
   files.forEach((file, k) => {
     const kind = kinds[k];
     if (kind === undefined || kind === "archive") {
@@ -36,7 +51,20 @@ export async function sortFiles(dropped: readonly NamedFile[]): Promise<SortedFi
     }
   });
   for (const other of projects.slice(1)) problems.push(`${baseName(other.name)} was not opened: one project at a time.`);
-  return { project: projects[0] ?? null, models, motions, files, problems };
+  return { project: projects[0] ?? null, models, moves, motions, clips, files, problems };
+}
+
+/** A file without a mesh is a motion. Of several models the first that is nothing else is the model, and the others' clips move it. */
+function bodiesAndClips(files: readonly NamedFile[], motionsOnly: boolean): Pick<SortedFiles, "models" | "moves" | "clips"> {
+  const held = new Map(files.map((file) => [file, holdingsOf(file)]));
+  const moves = (file: NamedFile): boolean => held.get(file)?.clips === true;
+  const bodies = files.filter((file) => !moves(file) || (held.get(file)?.mesh && !motionsOnly));
+  const first = bodies.find((file) => !moves(file)) ?? bodies[0];
+  return {
+    models: bodies.filter((file) => file === first || !moves(file)),
+    moves: first !== undefined && moves(first),
+    clips: files.filter((file) => file !== first && moves(file)),
+  };
 }
 
 function depth(file: NamedFile): number {

@@ -2,7 +2,7 @@
 
 import type { Ports } from "../app/ports";
 import { createBrowserEngine } from "../engine/browser";
-import { readModelInWorker } from "../io/read-model-in-worker";
+import { readClipsInWorker, readModelInWorker } from "../io/parse-in-worker";
 import { assets } from "./assets";
 import { clock } from "./clock";
 import { files } from "./files";
@@ -16,5 +16,6 @@ export const ports: Ports = {
   openShelf: () => import("./shelf").then(({ openShelf }) => openShelf()),
   createEngine: createBrowserEngine,
   readModel: readModelInWorker,
+  readClips: readClipsInWorker,
   calm: matchMedia("(prefers-reduced-motion: reduce)").matches,
 };

@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
+import { gliding, movingGlb } from "../support/clips";
 import { BOX_OBJ, dance, documentOf, drop, open, pause, settled, shared, vertices, watchErrors } from "./page";
 
 const text = (name: string, content: string) => ({ name, bytes: Buffer.from(content) });
@@ -134,4 +135,26 @@ test("the dance is exported as a GLB", async ({ page }) => {
   expect(bytes.subarray(0, 4).toString()).toBe("glTF");
   expect(bytes.readUInt32LE(8)).toBe(bytes.length);
   await expect(page.getByRole("heading", { name: /^Cactus\.glb is / })).toBeVisible();
+});
+
+test("of a file's many motions the chosen ones come in", async ({ page }) => {
+  const errors = watchErrors(page);
+  await open(page);
+  await pause(page);
+  const { name, bytes } = movingGlb({ Walk: gliding(1), Run: gliding(2), Idle: gliding(0, 60) });
+  await drop(page, [{ name, bytes: Buffer.from(bytes) }]);
+  const chooser = page.getByRole("dialog", { name: "person.glb holds 3 motions" });
+  await expect(chooser.getByRole("listitem")).toHaveText([/Walk\s*1\.0 s/, /Run\s*1\.0 s/, /Idle\s*2\.0 s/]);
+  await expect(chooser.getByLabel("Walk")).toBeChecked();
+  await chooser.getByLabel("Walk").uncheck();
+  await expect(chooser.getByRole("button", { name: "Bring in 0 motions" })).toBeDisabled();
+  await chooser.getByLabel("Run").check();
+  await chooser.getByLabel("Idle").check();
+  await chooser.getByRole("button", { name: "Bring in 2 motions" }).click();
+  await expect(chooser).toBeHidden();
+  await expect.poll(async () => (await documentOf(page)).motion.files, { timeout: 60_000 }).toEqual(["person Run.bvh"]);
+  await page.getByRole("button", { name: "Motion", exact: true }).click();
+  await page.getByRole("button", { name: /person Idle/ }).click();
+  await expect.poll(async () => (await documentOf(page)).motion.files).toEqual(["person Idle.bvh"]);
+  expect(errors).toEqual([]);
 });

@@ -5,7 +5,7 @@ import { strToU8, zipSync, zlibSync } from "fflate";
 import type { NamedFile } from "../../src/io/named-file";
 
 /** One value of a binary FBX's node. */
-type Value = number | bigint | string | { readonly letter: "d" | "i"; readonly items: readonly number[]; readonly packed?: boolean };
+type Value = number | bigint | string | { readonly letter: "d" | "i" | "l"; readonly items: readonly number[]; readonly packed?: boolean };
 
 export interface FbxNode {
   readonly name: string;
@@ -106,8 +106,11 @@ function written(value: Value): number[] {
   if (typeof value === "bigint") return [76, ...raw(8, (view) => view.setBigInt64(0, value, true))];
   if (typeof value === "number") return [68, ...raw(8, (view) => view.setFloat64(0, value, true))];
   if (typeof value === "string") return [83, ...u32(strToU8(value).length), ...strToU8(value)];
-  const size = value.letter === "d" ? 8 : 4;
-  const items = value.items.flatMap((x) => raw(size, (view) => (size === 8 ? view.setFloat64(0, x, true) : view.setInt32(0, x, true))));
+  const { letter } = value;
+  const items = value.items.flatMap((x) => {
+    if (letter === "d") return raw(8, (view) => view.setFloat64(0, x, true));
+    return letter === "l" ? raw(8, (view) => view.setBigInt64(0, BigInt(x), true)) : raw(4, (view) => view.setInt32(0, x, true));
+  });
   const stored = value.packed ? [...zlibSync(Uint8Array.from(items))] : items;
   return [value.letter.charCodeAt(0), ...u32(value.items.length), ...u32(value.packed ? 1 : 0), ...u32(stored.length), ...stored];
 }

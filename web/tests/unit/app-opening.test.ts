@@ -1,4 +1,5 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
+import { gliding, movingGlb } from "../support/clips";
 import { TETRAHEDRON } from "../support/files";
 import { assets, danced, dancingSession, file, listen, said } from "./app-support";
 
@@ -46,6 +47,51 @@ test("of several motions the first plays and the others are in the list", async 
   expect(session.document.motion.files).toEqual(["one.bvh"]);
   expect(session.motions.list.map(({ name }) => name)).toEqual(expect.arrayContaining(["one", "two"]));
   expect(said(session.context)).toEqual(["2 motions came in.", "one.bvh plays now."]);
+});
+
+test("a file of several motions asks which come in; one is not asked about", async () => {
+  const { session } = await dancingSession();
+  const told = listen(session.context, "clips");
+  const { bytes } = movingGlb({ Walk: gliding(1), Run: gliding(2), Idle: gliding(0) });
+  const before = session.document;
+  for (const names of [[], ["Run", "Idle"]]) {
+    const opened = session.opening.files([file("person.glb", bytes)]);
+    await vi.waitFor(() => expect(session.opening.clipFiles?.asked?.clips.map(({ name }) => name)).toEqual(["Walk", "Run", "Idle"]));
+    expect(session.document).toBe(before);
+    session.opening.clipFiles?.answer(session.opening.clipFiles.asked?.clips.filter(({ name }) => names.includes(name)) ?? []);
+    await opened;
+  }
+  expect([session.opening.clipFiles?.asked, told.length]).toEqual([null, 4]);
+  expect(session.document.motion.files).toEqual(["person Run.bvh"]);
+  expect(session.motions.list.map(({ name }) => name)).toEqual(expect.arrayContaining(["person Run", "person Idle"]));
+  await session.opening.files([file("one.glb", movingGlb({ Walk: gliding(1) }).bytes)]);
+  expect(session.document.motion.files).toEqual(["one.bvh"]);
+});
+
+test("a model that moves dances as before, and its motions are offered", async () => {
+  const { session, ports } = await dancingSession();
+  const { motion } = session.document;
+  const { bytes } = movingGlb({ Walk: gliding(1) }, { mesh: true });
+  await session.opening.files([file("person.glb", bytes)]);
+  expect(session.document).toMatchObject({ mesh: { file: "person.glb" }, motion });
+  const { notices } = session.context;
+  const offer = notices.shown.find(({ title }) => title === "person.glb brings motions of its own.");
+  offer?.actions[0].run();
+  await vi.waitFor(() => expect(session.document.motion.files).toEqual(["person.bvh"]));
+  // Asked for as a motion it leaves the model alone.
+  ports.chosen = [file("other.glb", bytes)];
+  await session.opening.pick("motion");
+  expect(session.document).toMatchObject({ mesh: { file: "person.glb" }, motion: { files: ["other.bvh"] } });
+});
+
+test("a second AMC finds the skeleton that came before", async () => {
+  const { session } = await dancingSession();
+  const ASF = `:version 1.10\n:root\norder TX TY TZ RX RY RZ\n:bonedata\nbegin\nname leg\ndirection 0 -1 0\nlength 9\naxis 0 0 0 XYZ\nend
+:hierarchy\nbegin\nroot leg\nend\n`;
+  const amc = (z: number): string => `:FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n2\nroot 0 0 ${z} 0 0 0\n`;
+  await session.opening.files([file("a.asf", ASF), file("a_1.amc", amc(1))]);
+  await session.opening.files([file("a_2.amc", amc(2))]);
+  expect(session.document.motion.files).toEqual(["a.asf", "a_2.amc"]);
 });
 
 test("a project that was saved comes back as it was", async () => {

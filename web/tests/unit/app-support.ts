@@ -13,6 +13,7 @@ import { parseProject } from "../../src/document/project";
 import type { ProjectDocument } from "../../src/document/types";
 import { EngineClient } from "../../src/engine/client";
 import { channelWorker } from "../../src/engine/node";
+import { readClips } from "../../src/io/clips/read-clips";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
 import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
@@ -191,6 +192,7 @@ export function testPorts(shelf = new TestShelf()): TestPorts {
       signal?.throwIfAborted();
       return model;
     },
+    readClips,
     calm: true,
   };
   return ports;

@@ -14,6 +14,7 @@ import { parseProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
 import { hasShared, PNG, sharedFile } from "../support/files";
 import { openGlb, triangle, valuesOf } from "../support/gltf";
+import { gliding, movingFbx, movingGlb } from "../support/clips";
 import { SNAKE } from "../support/joints";
 import { post } from "./engine-support";
 
@@ -164,6 +165,27 @@ describe("rigless bake without a project", () => {
     );
     expect((await validateBytes(bytesOf("dance.glb"))).issues.numErrors).toBe(0);
     expect(trackOf("track.json").points.length).toBeGreaterThan(1);
+  });
+
+  it("takes the motion of an FBX, and a model with its own; of several the one that is named", async () => {
+    const person = movingGlb({ Walk: gliding(1), Run: gliding(2) }, { mesh: true });
+    const files = { "ball.glb": movingGlb({}, { mesh: true }).bytes, "walk.fbx": movingFbx().bytes, "person.glb": person.bytes };
+    for (const [name, bytes] of Object.entries(files)) writeFileSync(join(folder, name), bytes);
+    const bake = (...args: string[]): Promise<Run> => rigless("bake", ...args, "--track", "track.json");
+    expect(await bake("ball.glb", "walk.fbx")).toMatchObject({ code: 0 });
+    expect(trackOf("track.json").source).toMatchObject({ model: "ball.glb", motion: ["walk.bvh"] });
+    expect(await bake("ball.glb", "person.glb")).toMatchObject({
+      code: 2,
+      stderr: expect.stringContaining(
+        "person.glb holds 2 motions; choose one with --clip NAME:\n  Walk (1.0 s)\n  Run (1.0 s)\n",
+      ) as string,
+    });
+    expect((await bake("ball.glb", "person.glb", "--clip", "Sit")).stderr).toContain('person.glb holds no motion "Sit", but:\n  Walk');
+    expect(await bake("ball.glb", "person.glb", "--clip", "run")).toMatchObject({ code: 0 });
+    expect(trackOf("track.json").source).toMatchObject({ model: "ball.glb", motion: ["person Run.bvh"] });
+    expect(await bake("person.glb", "--clip", "Walk", "--anyway")).toMatchObject({ code: 0 });
+    expect(trackOf("track.json").source).toMatchObject({ model: "person.glb", motion: ["person Walk.bvh"] });
+    expect((await bake("ball.glb")).stderr).toBe("rigless: ball.glb holds no motion: name one beside it, as in ball.glb motion.bvh.\n");
   });
 
   it.skipIf(!hasShared)("walks a cow that nobody has said anything about (skipped where ../shared/data is absent)", async () => {

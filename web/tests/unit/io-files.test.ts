@@ -43,6 +43,13 @@ describe("motions among files", () => {
     expect(motions[2].input).toEqual({ name: "hop.bvh", text: BVH });
   });
 
+  it("an AMC without its ASF takes one that is at hand", async () => {
+    const { motions, problems } = await findMotions([textFile("02_02.amc", AMC)], [textFile("01.asf", "x"), textFile("02.asf", ASF)]);
+    expect([motions.map((motion) => motion.files), problems]).toEqual([[["02.asf", "02_02.amc"]], []]);
+    const own = await findMotions([textFile("02_02.amc", AMC), textFile("b.asf", ASF)], [textFile("a.asf", ASF)]);
+    expect(own.motions.map((motion) => motion.files)).toEqual([["b.asf", "02_02.amc"]]);
+  });
+
   it("says what is missing", async () => {
     expect((await findMotions([textFile("02_01.amc", AMC)])).problems).toEqual(["02_01.amc needs its skeleton: drop the .asf with it."]);
     expect((await findMotions([textFile("02.asf", ASF)])).problems).toEqual([
@@ -84,7 +91,8 @@ describe("one drop of many files", () => {
     expect(sorted.files.map((file) => file.name)).toEqual(["cow.obj", "cow.png", "cow.mtl", "dance/hop.bvh", "letter.docx", "02_01.amc"]);
     expect(sorted.problems).toEqual([
       "02_01.amc needs its skeleton: drop the .asf with it.",
-      "letter.docx is nothing that Rigless opens. Models: OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF, USDZ. Motions: BVH, ASF with AMC.",
+      "letter.docx is nothing that Rigless opens. Models: OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF, USDZ. " +
+        "Motions: BVH, ASF with AMC, glTF, GLB, FBX.",
     ]);
   });
 

@@ -15,10 +15,10 @@ it("each ending belongs to one format", () => {
 });
 
 it("dialogs and sentences name every format of a kind", () => {
-  expect(accepted(["motion", "skeleton"])).toBe(".bvh,.amc,.asf");
-  expect(accepted(["model"])).toBe(".obj,.off,.ply,.stl,.gltf,.glb,.vrm,.fbx,.dae,.3mf,.usdz,.usda,.usdc,.usd");
+  expect(accepted(["motion", "skeleton"])).toBe(".gltf,.glb,.vrm,.vrma,.fbx,.bvh,.amc,.asf");
+  expect(accepted(["model"])).toBe(".obj,.off,.ply,.stl,.gltf,.glb,.vrm,.vrma,.fbx,.dae,.3mf,.usdz,.usda,.usdc,.usd");
   expect(listed("model", "or")).toBe("OBJ, OFF, PLY, STL, glTF, GLB, FBX, DAE, 3MF or USDZ");
-  expect(listed("motion", "or")).toBe("BVH or ASF with AMC");
+  expect(listed("motion", "or")).toBe("BVH, ASF with AMC, glTF, GLB or FBX");
 });
 
 it("README and docs name every model and motion", () => {

@@ -4,6 +4,7 @@ import { Group, type Object3D } from "three";
 
 import type { Built } from "../gltf/build";
 import { count } from "../count";
+import { listed } from "../formats";
 import { ModelError, type NamedFile } from "../named-file";
 import { PictureShelf } from "../picture-shelf";
 import { SKINNED } from "../skinned";
@@ -59,10 +60,7 @@ export function readScene({ name, file, files, notes, onProgress }: SceneSource,
 
 function noMesh(name: string, joints: number, others: number): string {
   if (joints > 0) {
-    return (
-      `${name} holds a skeleton of ${count(joints, "joint")} and how it moves, but no mesh. ` +
-      "Motions are read from BVH, or ASF with AMC: save it as BVH, and drop a model beside it."
-    );
+    return `${name} holds a skeleton of ${count(joints, "joint")}, but no mesh. Motions are read from ${listed("motion", "or")}.`;
   }
   if (others > 0) return `${name} holds lines or points, but no triangles. Save it as a mesh.`;
   return `${name} holds no mesh. Save the model itself into it, not a camera or an empty scene.`;

@@ -1,5 +1,6 @@
 // What nobody sees before they ask for it: not part of the first load.
 
+import "./clip-chooser";
 import "./drop-overlay";
 import "./help";
 import "./job-card";
