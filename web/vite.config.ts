@@ -17,6 +17,7 @@ export default defineConfig({
     outDir: "dist",
     assetsInlineLimit: 0, // data: addresses would need a weaker content-security-policy
     chunkSizeWarningLimit: 1000,
+    modulePreload: { polyfill: false }, // browsers without it fetch a little later
   },
   worker: { format: "es" },
   server: { port: 5173, strictPort: true },

@@ -77,12 +77,13 @@ TEST_CASE("a track gets the accents that its joint has, and no more") {
     joint[f] += 0.3 * swing(2.5, 0.3)[f];
     track[f] += 0.24 * swing(2.5, 0.3)[f];
   }
-  const double share = accent_share<double>(joint, 1, 0, 60);
-  const double gain = gain_towards(share, 1, 0, 60, track);
+  const auto sums = [](const std::vector<Vec3d>& of) { return AccentSums<double>(Track<double>{of, 1, 0, 60}); };
+  const double share = sums(joint).share(0);
+  const double gain = gain_towards(share, sums(track));
   CHECK(gain > 0.1);
   CHECK(gain < accent_gain);
-  CHECK(accent_share<double>(accentuated(track, gain), 1, 0, 60) == doctest::Approx(share).epsilon(0.1));
-  CHECK(gain_towards(share, 1, 0, 60, joint) == 0);
+  CHECK(sums(accentuated(track, gain)).share(0) == doctest::Approx(share).epsilon(0.02));
+  CHECK(gain_towards(share, sums(joint)) == 0);
 }
 
 TEST_CASE("a loop's seam is a step like every other") {

@@ -78,13 +78,14 @@ class PerformanceBuilder {
 
     detail::exaggerate<S>(input.rest, input.settings.energy, examples.controls);
     laps_ = {motion.clip.frames, motion.loop_period};
-    const std::vector<Vec3<S>> wound = laps_.wind<S>(motion.local, joints);
+    const std::vector<Vec3<S>> wound = laps_.wind<S>(motion.local, to_size(joints));
     RetargetInput<S> retarget;
     retarget.joints = wound;
     retarget.joint_count = joints;
     retarget.pairs = input.pairs;
     retarget.examples = examples.view();
-    retarget.constraints = laps_.wind(input.constraints);
+    retarget.constraints = input.constraints;
+    laps_.shift(retarget.constraints);
     RetargetOptions<S> options;
     options.fps = static_cast<S>(performance_fps);
     options.smoothness = input.settings.smoothness;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
 #include "rigless/scene/detail/loop.h"
@@ -79,17 +80,47 @@ std::vector<Vec3<S>> accents_of(const Track<S>& track) {
   return accents;
 }
 
-// How strong the accents of a track are beside its movement: mean squares of both. Allocates.
+// How strong the accents of a track are beside its movement, after any gain: all of it is linear in the track, so six
+// sums tell.
 template <class S>
-S accent_share(Span<const Vec3<S>> all, std::size_t count, std::size_t index, std::int32_t period) {
-  const Track<S> track{all, count, index, period};
-  Vec3<S> mean = Vec3<S>::Zero();
-  for (std::int32_t f = 0; f < track.frames(); ++f) mean += track.at(f) / static_cast<S>(track.frames());
-  S moved = 0, accent = 0;
-  for (std::int32_t f = 0; f < track.frames(); ++f) moved += (track.at(f) - mean).squaredNorm();
-  for (const Vec3<S>& a : accents_of(track)) accent += a.squaredNorm();
-  return moved > S(0) ? accent / moved : S(0);
-}
+class AccentSums {
+ public:
+  // Allocates.
+  explicit AccentSums(const Track<S>& track) {
+    const std::vector<Vec3<S>> accents = accents_of(track);
+    const std::vector<Vec3<S>> again = accents_of(Track<S>{accents, 1, 0, track.period});
+    const auto frames = static_cast<S>(track.frames());
+    Vec3<S> mean = Vec3<S>::Zero(), accent_mean = Vec3<S>::Zero();
+    for (std::size_t f = 0; f < accents.size(); ++f) {
+      mean += track.at(static_cast<std::int32_t>(f)) / frames;
+      accent_mean += accents[f] / frames;
+    }
+    for (std::size_t f = 0; f < accents.size(); ++f) {
+      const Vec3<S> moved = track.at(static_cast<std::int32_t>(f)) - mean, change = accents[f] - accent_mean;
+      accents_.add(accents[f], again[f]);
+      movement_.add(moved, change);
+    }
+  }
+
+  // Accents over movement, squared; 0 where nothing moves.
+  S share(S gain) const {
+    const S moved = movement_.at(gain);
+    return moved > S(0) ? accents_.at(gain) / moved : S(0);
+  }
+
+ private:
+  // |x - gain y|^2
+  struct Quadratic {
+    S xx = 0, xy = 0, yy = 0;
+    void add(const Vec3<S>& x, const Vec3<S>& y) {
+      xx += x.squaredNorm();
+      xy += x.dot(y);
+      yy += y.squaredNorm();
+    }
+    S at(S gain) const { return xx - 2 * gain * xy + gain * gain * yy; }
+  };
+  Quadratic accents_, movement_;
+};
 
 // Takes `gain` times its accents from one of C tracks: a movement winds up before it begins and goes beyond where it
 // ends. freedom: T x C; grounded: it may only go up, since the body stands on it. Allocates. Source: Wang, Drucker,
@@ -106,24 +137,16 @@ void accentuate(S gain, const std::vector<double>& freedom, bool grounded, std::
   }
 }
 
-// The gain that gives a track the share of accents that its joint has, or as much of it as accent_gain can. Allocates.
+// The gain that gives a track the share of accents that its joint has, or as much of it as accent_gain can.
 template <class S>
-S gain_towards(S share, std::size_t count, std::size_t index, std::int32_t period, const std::vector<Vec3<S>>& tracks) {
-  constexpr int halvings = 6;
+S gain_towards(S share, const AccentSums<S>& sums) {
+  constexpr int halvings = 8;
   S low = 0, high = S(accent_gain);
-  std::vector<Vec3<S>> one;
-  for (std::size_t f = 0; f < tracks.size() / count; ++f) one.push_back(tracks[f * count + index]);
-  const std::vector<double> free(one.size(), 1);
-  const auto share_with = [&](S gain) {
-    std::vector<Vec3<S>> tried = one;
-    accentuate<S>(gain, free, false, 1, 0, period, tried);
-    return accent_share<S>(tried, 1, 0, period);
-  };
-  if (share_with(low) >= share) return low;
-  if (share_with(high) <= share) return high;
+  if (sums.share(low) >= share) return low;
+  if (sums.share(high) <= share) return high;
   for (int k = 0; k < halvings; ++k) {
     const S middle = (low + high) / 2;
-    (share_with(middle) < share ? low : high) = middle;
+    (sums.share(middle) < share ? low : high) = middle;
   }
   return low;
 }
@@ -158,8 +181,9 @@ void give_accents(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
   for (std::size_t c = 0; c < controls; ++c) {
     S gain = S(accent_gain) * std::max(energy, S(0));
     if (pairs[c] >= 0) {
-      const S share = accent_share<S>(motion.local, joints, to_size(pairs[c]), period);
-      gain += (1 + std::min(energy, S(0))) * gain_towards(share, controls, c, period, p.controls);
+      const AccentSums<S> joint(Track<S>{motion.local, joints, to_size(pairs[c]), period});
+      const AccentSums<S> own(Track<S>{p.controls, controls, c, period});
+      gain += (1 + std::min(energy, S(0))) * gain_towards(joint.share(S(0)), own);
     }
     bool grounded = false;
     for (std::size_t i = c; i < p.contacts.size(); i += controls) grounded = grounded || p.contacts[i] != 0;

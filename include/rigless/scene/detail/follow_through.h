@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/motion/detail/body_frame.h"

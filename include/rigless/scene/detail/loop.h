@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/detail/macros.h"
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
@@ -56,31 +57,28 @@ struct LapMargin {
 
   // (T + 2 margin) x J of T x J. Allocates.
   template <class S>
-  std::vector<Vec3<S>> wind(Span<const Vec3<S>> poses, std::int32_t joints) const {
+  std::vector<Vec3<S>> wind(Span<const Vec3<S>> poses, std::size_t joints) const {
     std::vector<Vec3<S>> wound;
-    for (std::int32_t f = -margin(); f < frames + margin(); ++f) {
-      const auto first = poses.begin() + to_size(frame_around(f, frames, period)) * to_size(joints);
-      wound.insert(wound.end(), first, first + joints);
-    }
+    for (std::int32_t f = -margin(); f < frames + margin(); ++f)
+      for (std::size_t j = 0; j < joints; ++j)
+        wound.push_back(poses[to_size(frame_around(f, frames, period)) * joints + j]);
     return wound;
   }
 
   // The same constraints on the wound clip.
   template <class S>
-  Constraints<S> wind(Constraints<S> constraints) const {
+  void shift(Constraints<S>& constraints) const {
     for (auto& c : constraints.positions) c.frame += margin();
     for (auto& c : constraints.velocities) c.frame += margin();
     for (auto& c : constraints.heights) c.frame += margin();
-    return constraints;
   }
 
-  // The clip's own frames, T x C, of (T + 2 margin) x C. Allocates.
+  // The clip's own frames, T x C, of (T + 2 margin) x C. No allocation.
   template <class S>
   void unwind(std::vector<Vec3<S>>& tracks) const {
-    const std::size_t controls = tracks.size() / to_size(frames + 2 * margin());
-    const auto around = static_cast<std::ptrdiff_t>(to_size(margin()) * controls);
-    tracks.erase(tracks.end() - around, tracks.end());
-    tracks.erase(tracks.begin(), tracks.begin() + around);
+    const std::size_t controls = tracks.size() / to_size(frames + 2 * margin()), own = to_size(frames) * controls;
+    for (std::size_t i = 0; i < own; ++i) tracks[i] = tracks[i + to_size(margin()) * controls];
+    tracks.resize(own);
   }
 };
 

@@ -1,0 +1,161 @@
+import * as commands from "../document/commands";
+import type { Gesture } from "../document/store";
+import type { MeshRef } from "../document/types";
+import { EngineError } from "../engine/types";
+import type { Model } from "../io/model";
+import { baseName } from "../io/named-file";
+import type { NamedFile } from "../io/named-file";
+import { openProject } from "../io/project-file";
+import type { FoundMotion } from "../io/read-motion-files";
+import { type SortedFiles, sortFiles } from "../io/sort-files";
+import { pairingNotes } from "../sync/pairing";
+import { isAbort } from "./aborts";
+import { ClipFiles } from "./clip-files";
+import type { Context } from "./context";
+import { guessText, modelText, motionText, pairingText } from "./file-words";
+import type { JobHandle } from "./jobs";
+import type { Openers, OpeningSteps } from "./opening-steps";
+import type { FileKind, PickedFile, Ports } from "./ports";
+
+const STEPS = ["Read", "Understand", "Bind"];
+
+/** From files to the document: loaded with the first of them. */
+export class FileOpening {
+  /** Once a file came that may hold several motions. */
+  clipFiles: ClipFiles | null = null;
+
+  constructor(
+    private readonly context: Context,
+    private readonly openers: Openers,
+    private readonly ports: Pick<Ports, "readModel" | "readClips">,
+    private readonly steps: OpeningSteps,
+  ) {}
+
+  async open(files: readonly PickedFile[], kind: FileKind): Promise<void> {
+    const title = files.length === 1 ? `Opening ${files[0].name}` : `Opening ${files.length} files`;
+    const sorted = await this.openers.jobs.run(title, STEPS, async (job) => {
+      const named = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
+      job.signal.throwIfAborted();
+      job.step(1);
+      const { skeletons } = this.openers.sources;
+      const sorted = await sortFiles(named, { skeletons, motionsOnly: kind === "motion" });
+      const gesture = Symbol("open");
+      if (sorted.project) await this.project(named, job, gesture);
+      else {
+        const opened = await this.model(sorted, job, gesture);
+        await this.motions(sorted.motions, job, gesture);
+        if (opened) await this.guess(opened, job);
+      }
+      const nothing = !sorted.project && [sorted.models, sorted.motions, sorted.clips].every(({ length }) => length === 0);
+      for (const problem of sorted.problems) this.steps.refuse(problem, nothing);
+      return sorted;
+    });
+    for (const file of sorted.project ? [] : sorted.clips) await this.clips([file, ...sorted.files]);
+  }
+
+  /** Motions of the first of `files`, which may be a model too. */
+  private async clips(files: readonly NamedFile[]): Promise<void> {
+    const { context, openers, ports } = this;
+    this.clipFiles ??= new ClipFiles(context.signals, openers.jobs, ports.readClips);
+    const { clipFiles } = this;
+    await this.steps.guarded(baseName(files[0].name), async () => {
+      const motions = (await clipFiles.of(files)).map(({ motion }) => motion);
+      if (motions.length > 0) await openers.jobs.run(motions[0].input.name, STEPS, (job) => this.motions(motions, job, Symbol("open")));
+    });
+  }
+
+  private async project(dropped: readonly NamedFile[], job: JobHandle, gesture: Gesture): Promise<void> {
+    const opened = await openProject(dropped);
+    const { sources } = this.openers;
+    const model = await this.ports.readModel(opened.modelFiles, reading(job));
+    job.step(2);
+    const files = sources.addMotion(opened.document.motion.files, opened.motion);
+    const file = sources.addModel(opened.document.mesh.file, model, opened.modelFiles);
+    const taken = await this.steps.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
+    const { history, selection } = this.context;
+    history.markSaved();
+    selection.endIntro();
+    selection.setPanel(null);
+    const pairing = taken.motion ? pairingText(pairingNotes(history.document, taken.motion), taken.motion) : [];
+    this.steps.say({
+      title: `${opened.document.name} is open.`,
+      text: [...model.notes, ...pairing].join(" "),
+      actions: [history.undoAction()],
+    });
+  }
+
+  /** Answers the model if it was opened. */
+  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<Model | null> {
+    const [first, ...others] = sorted.models;
+    if (!first) return null;
+    const { history, selection } = this.context;
+    const { sources, guesses } = this.openers;
+    let opened: Model | null = null;
+    await this.steps.guarded(baseName(first.name), async () => {
+      const beside = sorted.files.filter((file) => !sorted.models.includes(file) && !sorted.clips.includes(file));
+      const model = await this.ports.readModel([first, ...beside], reading(job));
+      job.step(2);
+      const file = sources.addModel(first.name, model, [first, ...beside]);
+      const guess = await guesses.of(model);
+      const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }), solve: "solid" };
+      const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
+      const { report } = await this.steps.change(named(commands.setMesh(mesh)(history.document)), job, gesture);
+      selection.endIntro();
+      opened = model;
+      this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
+      if (sorted.moves) {
+        const run = (): void => void this.clips([first, ...beside]);
+        this.steps.say({ title: `${model.name} brings motions of its own.`, icon: "motion", actions: [{ label: "Choose", run }] });
+      }
+    });
+    for (const other of others) this.steps.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
+    return opened;
+  }
+
+  /** Makes a model that just came dance at once, as a step of its own; where that cannot be, the person makes the points. */
+  private async guess(model: Model, job: JobHandle): Promise<void> {
+    const { history, selection } = this.context;
+    const guess = await this.openers.guesses.of(model);
+    const { document } = history;
+    try {
+      if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
+      await this.steps.change(commands.addPoints(guess.points, guess.roles)(document), job);
+      selection.setPanel(null);
+      this.steps.say({ ...guessText(guess.points), icon: "points", actions: [history.undoAction()] });
+    } catch (error) {
+      if (!(error instanceof EngineError)) throw error;
+      if (isAbort(error)) return;
+      selection.setPanel("points");
+      this.steps.say({
+        title: "We found no places to hold it by.",
+        text: "Click a place on the model, then the joint that moves it.",
+        icon: "points",
+      });
+    }
+  }
+
+  private async motions(motions: readonly FoundMotion[], job: JobHandle, gesture: Gesture): Promise<void> {
+    const { history, selection } = this.context;
+    for (const [k, motion] of motions.entries()) {
+      await this.steps.guarded(motion.input.name, async () => {
+        job.step(2);
+        const files = this.openers.sources.addMotion(motion.files, motion.input);
+        if (k > 0) return;
+        const taken = await this.steps.change(commands.setMotion({ files })(history.document), job, gesture);
+        selection.endIntro();
+        const notes = taken.motion ? pairingNotes(history.document, taken.motion) : [];
+        this.steps.say({ ...motionText(motion.input.name, taken.motion, notes), icon: "motion", actions: [history.undoAction()] });
+      });
+    }
+    if (motions.length > 1)
+      this.steps.say({
+        title: `${motions.length} motions came in.`,
+        text: "The first one plays; the others are in the list.",
+        actions: [{ label: "Show", run: () => selection.setPanel("motion") }],
+      });
+  }
+}
+
+function reading({ signal, progress }: JobHandle): { signal: AbortSignal; onProgress: (done: number) => void } {
+  return { signal, onProgress: progress };
+}
