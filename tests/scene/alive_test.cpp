@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rigless/retarget/detail/actor_size.h"
 #include "scene/dancers.h"
 
 using namespace rigless;
@@ -111,6 +112,36 @@ TEST_CASE("energy takes the poses farther from rest, or nearer to it") {
   const double taught = range(0);
   CHECK(range(-1) < 0.8 * taught);
   CHECK(range(1) > 1.2 * taught);
+}
+
+TEST_CASE("a child's dance and a giant's are the same dance") {
+  Cactus<double> cactus("disco.bvh");
+  PerformanceSettings<double> settings;
+  settings.ground_contact = false;
+  Performance<double> own;
+  REQUIRE(cactus.perform(settings, own).ok());
+  for (const double size : {0.7, 1.25}) {
+    Cactus<double> other("disco.bvh");
+    for (Vec3d& p : other.motion.local) p *= size;
+    for (Vec3d& p : other.motion.clip.positions) p *= size;
+    Performance<double> p;
+    REQUIRE(other.perform(settings, p).ok());
+    double sum = 0;
+    for (std::size_t i = 0; i < p.controls.size(); ++i) sum += (p.controls[i] - own.controls[i]).squaredNorm();
+    CHECK(std::sqrt(sum / static_cast<double>(p.controls.size())) < 0.005 * Cactus<double>::height);
+  }
+}
+
+TEST_CASE("poses of an actor whose bones are hardly known, or the same, stay as they are") {
+  const std::vector<std::int32_t> parents = {-1, 0, 1, 2, 3};
+  std::vector<Vec3d> pose;
+  for (int j = 0; j < 5; ++j) pose.emplace_back(0.1 * j, 1, 0);
+  std::vector<Vec3d> larger = pose;
+  for (Vec3d& p : larger) p *= 1.3;
+  CHECK(bone_ratio<double>(parents, pose, larger) == doctest::Approx(1.3));
+  CHECK(bone_ratio<double>(parents, pose, pose) == 1);
+  larger[1].setConstant(std::nan(""));
+  CHECK(bone_ratio<double>(parents, pose, larger) == 1);
 }
 
 TEST_CASE("a part that no joint moves lags, swings beyond and settles; a stiff one does not") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rigless/motion/detail/mirror_joints.h"
+#include "rigless/retarget/detail/actor_size.h"
 #include "rigless/retarget/detail/coverage.h"
 #include "rigless/retarget/detail/mirror_examples.h"
 #include "rigless/retarget/detail/pose_spread.h"
@@ -57,6 +58,7 @@ class PerformanceBuilder {
     ExampleStorage<S> examples;
     examples.joints.assign(input.examples.joints.begin(), input.examples.joints.end());
     examples.controls.assign(input.examples.controls.begin(), input.examples.controls.end());
+    detail::scale_to_actor<S>(motion.clip.skeleton.parents, {motion.local.data(), to_size(joints)}, examples.joints);
     const std::vector<std::int32_t> paired = detail::paired_joints(input.pairs, joints);
     detail::fill_unknown_joints<S>(motion.local, paired, joints, examples.joints);
     std::vector<std::int32_t> joint_mirror;
