@@ -1,7 +1,7 @@
 // The cactus's skin: an atlas of charts, and the colour of every place on it.
 import { add, clamp, mix, scale, smoothstep } from "../kit/vec3.js";
 
-const SIZE = 640;
+const SIZE = 768;
 const SAMPLES = 3; // per texel and axis
 const BLEED = 4; // texels painted beyond a chart's edge
 

@@ -2,6 +2,8 @@ import * as commands from "../document/commands";
 import type { Gesture } from "../document/store";
 import type { MeshRef } from "../document/types";
 import { EngineError } from "../engine/types";
+import type { FormatKind } from "../io/format";
+import { formatOf } from "../io/formats";
 import type { Model } from "../io/model";
 import { baseName } from "../io/named-file";
 import type { NamedFile } from "../io/named-file";
@@ -70,7 +72,7 @@ export class FileOpening {
     const model = await this.ports.readModel(opened.modelFiles, reading(job));
     job.step(2);
     const files = sources.addMotion(opened.document.motion.files, opened.motion);
-    const file = sources.addModel(opened.document.mesh.file, model, opened.modelFiles);
+    const file = sources.addModel(opened.document.mesh.file, model, modelFiles(opened.modelFiles));
     const taken = await this.steps.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
     const { history, selection } = this.context;
     history.markSaved();
@@ -95,7 +97,7 @@ export class FileOpening {
       const beside = sorted.files.filter((file) => !sorted.models.includes(file) && !sorted.clips.includes(file));
       const model = await this.ports.readModel([first, ...beside], reading(job));
       job.step(2);
-      const file = sources.addModel(first.name, model, [first, ...beside]);
+      const file = sources.addModel(first.name, model, modelFiles([first, ...beside]));
       const guess = await guesses.of(model);
       const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }), solve: "solid" };
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
@@ -154,6 +156,15 @@ export class FileOpening {
         actions: [{ label: "Show", run: () => selection.setPanel("motion") }],
       });
   }
+}
+
+/** What lies among a model's files and is none of them. */
+const NOT_BESIDE: readonly (FormatKind | undefined)[] = ["motion", "skeleton", "project"];
+
+/** A model's own file, and what lies beside it. */
+function modelFiles([own, ...others]: readonly NamedFile[]): NamedFile[] {
+  const beside = others.filter((other) => !NOT_BESIDE.includes(formatOf(other)?.kind));
+  return own ? [own, ...beside] : beside;
 }
 
 function reading({ signal, progress }: JobHandle): { signal: AbortSignal; onProgress: (done: number) => void } {

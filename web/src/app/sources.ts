@@ -1,13 +1,8 @@
 import type { MotionInput } from "../engine/types";
 import type { Model } from "../io/model";
-import type { FormatKind } from "../io/format";
-import { formatOf } from "../io/formats";
 import type { NamedFile } from "../io/named-file";
 import { type Library, motionTexts } from "../sync/library";
 import type { SolverModel } from "../sync/placement";
-
-/** What lies among a model's files and is none of them. */
-const NOT_BESIDE: readonly (FormatKind | undefined)[] = ["motion", "skeleton", "project"];
 
 /** A model as it was opened. */
 export interface Source {
@@ -27,8 +22,7 @@ export class Sources {
    * opened again are the same model.
    */
   addModel(file: string, model: Model, files: readonly NamedFile[]): string {
-    const [own, ...others] = files;
-    const beside = others.filter((other) => !NOT_BESIDE.includes(formatOf(other)?.kind));
+    const [own, ...beside] = files;
     const known = this.library.model(file);
     if (known && own && sameFiles(this.of(known)?.files ?? [], [{ ...own, name: file }, ...beside])) return file;
     const name = this.library.addModel(file, model);

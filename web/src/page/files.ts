@@ -1,21 +1,16 @@
 import type { FileKind, FilesPort } from "../app/ports";
-import { accepted } from "../io/formats";
 
 const MODEL = ["model", "picture", "part"] as const;
 const MOTION = ["motion", "skeleton"] as const;
-
-const ACCEPT: Readonly<Record<FileKind, string>> = {
-  any: accepted([...MODEL, ...MOTION, "project", "archive"]),
-  model: accepted(MODEL),
-  motion: accepted(MOTION),
-};
+const KINDS = { any: [...MODEL, ...MOTION, "project", "archive"], model: MODEL, motion: MOTION } as const;
 
 export const files: FilesPort = {
-  pick(kind) {
+  async pick(kind: FileKind) {
+    const { accepted } = await import("../io/formats");
     const input = document.createElement("input");
     input.type = "file";
     input.multiple = true;
-    input.accept = ACCEPT[kind];
+    input.accept = accepted(KINDS[kind]);
     return new Promise((resolve) => {
       input.addEventListener("change", () => resolve([...(input.files ?? [])]));
       input.addEventListener("cancel", () => resolve([]));

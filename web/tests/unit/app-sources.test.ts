@@ -8,7 +8,7 @@ import { nod } from "./engine-support";
 test("a model keeps its files; the same files again are the same model", async () => {
   const library = new Library();
   const sources = new Sources(library);
-  const files = [textFile("tetra.obj", TETRAHEDRON), textFile("walk.bvh", "HIERARCHY"), { name: "skin.png", bytes: PNG }];
+  const files = [textFile("tetra.obj", TETRAHEDRON), { name: "skin.png", bytes: PNG }];
   const model = await readModel(files.slice(0, 1));
   expect(sources.addModel("tetra.obj", model, files)).toBe("tetra.obj");
   expect(sources.of(model)?.model).toBe(model);
