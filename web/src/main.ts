@@ -1,6 +1,7 @@
 // Puts everything together: the app with the ports of a page, the elements that show it, and the stage.
 
 import { Session } from "./app/session";
+import { fetchAhead } from "./fetch-ahead";
 import { ports } from "./page/ports";
 import { App } from "./ui/app";
 import { Viewport } from "./viewport/viewport";
@@ -9,3 +10,4 @@ const app = new App();
 app.session = new Session(ports);
 app.buildStage = (host) => new Viewport(host);
 document.body.prepend(app);
+fetchAhead();

@@ -7,6 +7,7 @@ import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
 import type { Cast } from "./cast";
 import type { Context } from "./context";
+import { errorText } from "./error-words";
 import type { JobHandle, Jobs } from "./jobs";
 import type { KeptProject, KeptWork, Ports, ShelfPort } from "./ports";
 import type { Sources } from "./sources";
@@ -88,7 +89,7 @@ export class Keeping {
       return true;
     } catch (error) {
       if (isAbort(error)) return false;
-      const why = error instanceof Error ? error.message : String(error);
+      const why = errorText(error);
       this.context.notices.say({ bad: true, title: "A kept project could not be opened.", text: why });
       return false;
     } finally {

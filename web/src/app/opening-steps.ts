@@ -6,6 +6,7 @@ import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
 import type { Cast } from "./cast";
 import type { Context } from "./context";
+import { errorText } from "./error-words";
 import type { Guesses } from "./guesses";
 import type { JobHandle, Jobs } from "./jobs";
 import type { Motions } from "./motions";
@@ -44,7 +45,7 @@ export class OpeningSteps {
       return true;
     } catch (error) {
       if (isAbort(error)) return false;
-      const message = error instanceof Error ? error.message : String(error);
+      const message = errorText(error);
       const named = what.split(", ").some((name) => message.includes(baseName(name)));
       this.refuse(named ? message : `${what}: ${message}`, true);
       return false;

@@ -1,6 +1,7 @@
 import { bytes, figure } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Context } from "./context";
+import { errorText } from "./error-words";
 import type { Jobs } from "./jobs";
 import type { FilesPort } from "./ports";
 import type { Sources } from "./sources";
@@ -56,6 +57,6 @@ export class Saving {
   }
 
   private refuse(title: string, error: unknown): void {
-    this.context.notices.say({ bad: true, title, text: error instanceof Error ? error.message : String(error) });
+    this.context.notices.say({ bad: true, title, text: errorText(error) });
   }
 }

@@ -86,3 +86,14 @@ test("where the browser keeps nothing, that is said once, with what to do", asyn
   await page.locator("rigless-notices").getByRole("button", { name: "Save", exact: true }).click();
   expect((await download).suggestedFilename()).toBe("First.rigless");
 });
+
+test("Save does not depend on the network once the page has danced for a while", async ({ page, context }) => {
+  const last = page.waitForResponse(/\/carried-body-[^/]*\.js$/);
+  await open(page);
+  await last;
+  await context.setOffline(true);
+  await rename(page, "Far away");
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  expect((await download).suggestedFilename()).toBe("Far away.rigless");
+});

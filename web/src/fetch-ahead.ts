@@ -1,0 +1,20 @@
+/** So long after the page began to dance there is time for what may be needed later. */
+const LATER_MS = 10_000;
+
+/** Fetches the parts of the page that come with a click, so that none of them depends on the network by then. */
+export function fetchAhead(): void {
+  setTimeout(async () => {
+    const parts = [
+      () => import("./ui/elements/late"),
+      () => import("./io/project-file"),
+      () => import("./io/export-dance"),
+      () => import("./app/keeping"),
+      () => import("./page/shelf"),
+      () => import("./app/file-opening"),
+      () => import("./sync/shape-input"),
+      () => import("./viewport/surface-picker"),
+      () => import("./viewport/carried-body"),
+    ];
+    for (const part of parts) await part().catch(() => undefined); // offline: whoever needs it says so
+  }, LATER_MS);
+}
