@@ -30,6 +30,11 @@ export interface Drag {
 export type Dropped = Pick<Drag, "id" | "frame" | "targets" | "wasPlaying">;
 
 const KEYS_REST_MS = 700;
+/** A hand that has rested so long sees what the dance would show for the same targets... */
+const SETTLE_MS = 120;
+/** ...to which the shape goes in steps of a picture each. */
+const EASE_STEPS = 8;
+const EASE_STEP_MS = 16;
 
 /** The hand on a dot: from the grab to the drop, or back. */
 export class Dragging {
@@ -38,6 +43,7 @@ export class Dragging {
   private asking = false;
   private again = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
+  private settling: ReturnType<typeof setTimeout> | undefined;
 
   /** `take`: what becomes of what was dropped. */
   constructor(
@@ -159,6 +165,7 @@ export class Dragging {
 
   private end(): void {
     clearTimeout(this.rest);
+    clearTimeout(this.settling);
     this.active = null;
     this.context.signals.tell("drag");
   }
@@ -172,13 +179,18 @@ export class Dragging {
       return;
     }
     this.asking = true;
+    clearTimeout(this.settling);
     const restart = this.first;
     this.first = false;
+    const { targets } = active;
     const { workspace } = this.context;
     workspace
-      .drag(active.targets, restart)
+      .drag(targets, restart)
       .then(
-        (frame) => this.show(active, frame),
+        (frame) => {
+          this.show(active, frame);
+          if (!restart) this.settling = setTimeout(() => void this.settle(active, targets), SETTLE_MS);
+        },
         (error: unknown) => {
           if (error instanceof EngineError && error.code === "superseded") return;
           if (this.active === active) this.cancel();
@@ -197,10 +209,37 @@ export class Dragging {
   private show(drag: Drag, frame: ShapedFrame): void {
     if (this.active !== drag) return;
     drag.volume = frame.volumeRatio;
-    const place = this.context.workspace.report?.solid ? mapsToWorld : toWorld;
-    drag.shape = place(frame.shape, drag.root);
+    drag.shape = this.place(drag, frame);
     this.context.meter.add(frame.milliseconds);
     this.context.signals.tell("drag");
+  }
+
+  private place(drag: Drag, frame: ShapedFrame): Shape {
+    const place = this.context.workspace.report?.solid ? mapsToWorld : toWorld;
+    return place(frame.shape, drag.root);
+  }
+
+  /** A drag goes on from the drag before; the dance makes each frame from rest. Under a hand that rests the one becomes the other. */
+  private async settle(drag: Drag, targets: Float32Array): Promise<void> {
+    const here = (): boolean => this.active === drag && drag.targets === targets && !this.asking;
+    if (!here()) return;
+    try {
+      const frame = await this.context.workspace.drag(targets, true);
+      const from = drag.shape;
+      if (!from || !here()) return;
+      drag.volume = frame.volumeRatio;
+      this.ease(drag, from, this.place(drag, frame), 1, here);
+    } catch (error) {
+      if (!(error instanceof EngineError)) throw error; // the next move asks again
+    }
+  }
+
+  private ease(drag: Drag, from: Shape, to: Shape, step: number, here: () => boolean): void {
+    if (!here()) return;
+    const t = step / EASE_STEPS;
+    drag.shape = step === EASE_STEPS ? to : from.map((value, i) => value + t * (to[i] - value));
+    this.context.signals.tell("drag");
+    if (step < EASE_STEPS) this.settling = setTimeout(() => this.ease(drag, from, to, step + 1, here), EASE_STEP_MS);
   }
 }
 

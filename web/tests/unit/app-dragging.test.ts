@@ -39,6 +39,24 @@ test("a grab stops the dance and says where; a drop hands over what the hand ask
   expect(dropped[0].targets.subarray(0, 6)).toEqual(drag.base.subarray(0, 6));
 });
 
+test("under a hand that rests the shape becomes what the dance would show", async () => {
+  const { context, hand } = await dragging();
+  context.player.seek(5);
+  hand.grab("left-arm");
+  const drag = hand.active!;
+  const [x, y, z] = toWorld(drag.base.subarray(6, 9), drag.root);
+  for (const by of [0.05, 0.2, 0.45]) {
+    const before = drag.shape;
+    hand.move([x + by, y + by, z]);
+    await expect.poll(() => drag.shape).not.toBe(before);
+  }
+  const dragged = drag.shape!;
+  const danced = toWorld((await context.workspace.drag(drag.targets, true)).shape, drag.root);
+  expect(danced).not.toEqual(dragged);
+  await expect.poll(() => drag.shape).toEqual(danced);
+  hand.cancel();
+});
+
 test("let go where it was taken, or cancelled, or undone: nothing is handed over and the dance goes on", async () => {
   const { context, dropped, hand } = await dragging();
   const told = listen(context, "frame");
