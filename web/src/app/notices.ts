@@ -25,19 +25,13 @@ export interface Notice {
 
 export type NoticeInput = Partial<Omit<Notice, "id">> & { title: string };
 
-const SHOWN = 3;
-
 /** What was said and not yet dismissed, newest first. */
 export class Notices extends Emitter<{ change: void }> {
   private list: Notice[] = [];
   private next = 1;
 
-  get shown(): readonly Notice[] {
-    return this.list.slice(0, SHOWN);
-  }
-
-  get hidden(): number {
-    return Math.max(0, this.list.length - SHOWN);
+  get all(): readonly Notice[] {
+    return this.list;
   }
 
   /** Says it; the same words said again take the place of the older ones. */

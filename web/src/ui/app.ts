@@ -239,7 +239,7 @@ export class App extends LitElement {
     const left = desk ? Math.max(card("rigless-rail")?.right ?? 0, card(".panel > *")?.right ?? 0) : stage.left;
     const job = card("rigless-jobs");
     const right = desk ? Math.min(job?.left ?? stage.right, card("rigless-inspector")?.left ?? stage.right) : stage.right;
-    const words = Math.max(stage.top, card("rigless-notices")?.bottom ?? 0, box(intro.line)?.bottom ?? 0);
+    const words = Math.max(stage.top, card("rigless-notices:not([quiet])")?.bottom ?? 0, box(intro.line)?.bottom ?? 0);
     const top = Math.min(words, stage.top + MOST_WORDS * stage.height);
     const lows = [card("rigless-status"), card("rigless-prompt"), desk ? null : job, box(intro.chips)].map(
       (rect) => rect?.top ?? stage.bottom,

@@ -44,8 +44,8 @@ test("what was done is there again after a reload, a closed tab and in a second 
   const danced = await dance(page);
 
   await page.reload();
+  await expect(page.getByText("Crate is as you left it.")).toBeVisible({ timeout: 60_000 });
   await settled(page);
-  await expect(page.getByText("Crate is as you left it.")).toBeVisible();
   expect(await documentOf(page)).toEqual(before);
   expect(await dance(page)).toBe(danced);
   await page.keyboard.press("Control+z");
@@ -54,15 +54,14 @@ test("what was done is there again after a reload, a closed tab and in a second 
 
   const second = await context.newPage();
   await second.goto("/");
-  await settled(second);
-  await expect(second.getByText("This is a copy of Crate.")).toBeVisible();
+  await expect(second.getByText("This is a copy of Crate.")).toBeVisible({ timeout: 60_000 });
   await second.close();
 
   await kept(page, "Crate");
   await page.close();
   const third = await context.newPage();
   await third.goto("/");
-  await settled(third);
+  await third.getByRole("button", { name: "Start fresh" }).waitFor({ timeout: 60_000 });
   expect(await documentOf(third)).toEqual(before);
   await third.getByRole("button", { name: "Start fresh" }).click();
   await expect.poll(async () => (await documentOf(third)).name).toBe("Cactus");

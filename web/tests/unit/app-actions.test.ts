@@ -135,6 +135,6 @@ test("each key of the table does what it says", async () => {
   await expect.poll(() => ports.downloads.map(({ name }) => name)).toEqual(["Cactus.rigless", "Cactus.glb"]);
   ports.chosen = [file("letter.docx", "Dear all")];
   press("open");
-  await expect.poll(() => context.notices.shown[0]?.title).toContain("letter.docx");
+  await expect.poll(() => context.notices.all[0]?.title).toContain("letter.docx");
   expect(Object.keys(actions).filter((id) => !done.has(id as ActionId))).toEqual([]);
 });

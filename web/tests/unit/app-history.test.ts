@@ -34,9 +34,9 @@ test("a notice offers to undo what it speaks of, as long as nothing else was don
   history.apply(renameProject("A"));
   notices.say({ title: "Renamed.", actions: [history.undoAction()] });
   history.apply(renameProject("B"));
-  expect(notices.shown[0].actions).toEqual([]);
+  expect(notices.all[0].actions).toEqual([]);
   notices.say({ title: "Renamed again.", actions: [history.undoAction()] });
-  notices.shown[0].actions[0].run();
+  notices.all[0].actions[0].run();
   expect(history.document.name).toBe("A");
   expect(said(context)).toEqual(["Renamed."]);
 });

@@ -121,7 +121,7 @@ test("what is let go of can be kept again", async () => {
   const [{ id }] = shelf.kept.values() as unknown as [{ id: string }];
   await session.keeping?.remove(id);
   expect(shelf.kept.size).toBe(0);
-  session.context.notices.shown.find(({ title }) => title === "Second is no longer kept.")?.actions[0]?.run();
+  session.context.notices.all.find(({ title }) => title === "Second is no longer kept.")?.actions[0]?.run();
   await expect.poll(() => shelf.kept.get(id)?.name).toBe("Second");
 });
 
@@ -132,7 +132,7 @@ test("where nothing can be kept it is said once, with what to do", async () => {
   session.settings.rename("First");
   await expect.poll(() => said(session.context)).toContain("This browser cannot keep your work.");
   expect(session.history.unsaved).toBe(true);
-  const [notice] = session.context.notices.shown;
+  const [notice] = session.context.notices.all;
   notice?.actions[0]?.run();
   await expect.poll(() => ports.downloads.map(({ name }) => name)).toEqual(["First.rigless"]);
   session.context.notices.dismiss(notice?.id ?? 0);
@@ -151,6 +151,6 @@ test("a project that took its page with it is not opened by itself again", async
   const { session } = await dancingSession(ports);
   expect(session.document.name).toBe("Cactus");
   expect(said(session.context)).toEqual(["Second did not open last time."]);
-  session.context.notices.shown[0]?.actions[0]?.run();
+  session.context.notices.all[0]?.actions[0]?.run();
   await expect.poll(() => session.document.name).toBe("Second");
 });

@@ -32,9 +32,9 @@ test("bad files say what is wrong and leave the work as it is", async () => {
   const { session } = await dancingSession();
   const before = session.document;
   await session.opening.files([file("broken.bvh", "HIERARCHY\nROOT Hips\n{\n")]);
-  expect(session.context.notices.shown[0]).toMatchObject({ bad: true });
+  expect(session.context.notices.all[0]).toMatchObject({ bad: true });
   expect(said(session.context)[0]).toContain("broken.bvh");
-  expect(session.context.notices.shown[0].text).toMatch(/Your cactus is untouched\.$/);
+  expect(session.context.notices.all[0].text).toMatch(/Your cactus is untouched\.$/);
   await session.opening.files([file("letter.docx", "Dear all")]);
   expect(said(session.context)[0]).toContain("letter.docx");
   expect(session.document).toBe(before);
@@ -75,7 +75,7 @@ test("a model that moves dances as before, and its motions are offered", async (
   await session.opening.files([file("person.glb", bytes)]);
   expect(session.document).toMatchObject({ mesh: { file: "person.glb" }, motion });
   const { notices } = session.context;
-  const offer = notices.shown.find(({ title }) => title === "person.glb brings motions of its own.");
+  const offer = notices.all.find(({ title }) => title === "person.glb brings motions of its own.");
   offer?.actions[0].run();
   await vi.waitFor(() => expect(session.document.motion.files).toEqual(["person.bvh"]));
   // Asked for as a motion it leaves the model alone.

@@ -57,7 +57,7 @@ test("a pin is spoken of, made still, and taken away, which can be undone", asyn
   pins.remove("n1");
   expect([pins.here, pins.chosen]).toEqual([[], null]);
   expect(said(context)).toEqual(["The pin at frame 5 is gone."]);
-  context.notices.shown[0].actions[0].run();
+  context.notices.all[0].actions[0].run();
   expect(pins.here).toHaveLength(1);
 });
 
@@ -74,7 +74,7 @@ test("two that contradict each other are told, by how much and which; and it is 
   dragging.drop();
   await danced(context);
   expect(said(context)).toEqual(["A pin is not kept."]);
-  expect(context.notices.shown[0].text).toMatch(/^The pin of Left arm at frame \d+ is missed by \d+ cm\. The pin of Left arm/);
+  expect(context.notices.all[0].text).toMatch(/^The pin of Left arm at frame \d+ is missed by \d+ cm\. The pin of Left arm/);
   for (const { id } of [...pins.here]) pins.remove(id);
   await danced(context);
   expect(said(context)).not.toContain("A pin is not kept.");

@@ -32,7 +32,7 @@ test("points are renamed, paired and taken away, which says so and can be undone
   points.remove("top");
   expect(of("top")).toBeUndefined();
   expect(said(context)).toEqual(["Crown is gone."]);
-  context.notices.shown[0].actions[0].run();
+  context.notices.all[0].actions[0].run();
   expect(context.document).toBe(before);
   context.selection.select(FLIGHTS);
   expect(points.selected).toBeNull();

@@ -31,7 +31,7 @@ test("what the hand drops is a pose of this frame, with the human's joints; agai
   dragging.nudge("top", "ArrowRight", false);
   dragging.drop();
   expect(poses.here).toHaveLength(count + 1);
-  expect(context.notices.shown[0].text).toContain(`It took the place of the one at frame ${free}.`);
+  expect(context.notices.all[0].text).toContain(`It took the place of the one at frame ${free}.`);
 });
 
 test("the present shape is a pose without a hand; poses move and go", async () => {
@@ -47,7 +47,7 @@ test("the present shape is a pose without a hand; poses move and go", async () =
   const before = context.document;
   poses.remove(id);
   expect(context.document.examples.map((pose) => pose.id)).not.toContain(id);
-  context.notices.shown[0].actions[0].run();
+  context.notices.all[0].actions[0].run();
   expect(context.document).toBe(before);
 });
 

@@ -36,7 +36,7 @@ test("without 3D graphics it says so, and why", async () => {
     throw new Error("no WebGL");
   });
   await expect.poll(() => said(session.context)).toEqual(["This browser shows no 3D graphics."]);
-  expect(session.context.notices.shown[0].text).toContain("(no WebGL)");
+  expect(session.context.notices.all[0].text).toContain("(no WebGL)");
   session.close();
 });
 
@@ -50,5 +50,5 @@ test("jobs tell their topic, and what the engine refuses is said", async () => {
   const flat = workspace.library.addModel("flat.obj", { positions: new Float32Array(9), faces: Uint32Array.of(0, 1, 7) });
   session.history.apply((document) => ({ ...document, mesh: { ...document.mesh, file: flat } }));
   await workspace.sync();
-  expect(session.context.notices.shown[0]).toMatchObject({ bad: true, text: "The dance is as it was before." });
+  expect(session.context.notices.all[0]).toMatchObject({ bad: true, text: "The dance is as it was before." });
 });

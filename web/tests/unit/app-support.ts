@@ -264,4 +264,4 @@ export function listen({ signals }: Context, ...topics: (keyof Topics)[]): (keyo
 }
 
 /** The titles of what was said and not dismissed. */
-export const said = ({ notices }: Context): string[] => notices.shown.map(({ title }) => title);
+export const said = ({ notices }: Context): string[] => notices.all.map(({ title }) => title);

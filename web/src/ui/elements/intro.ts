@@ -54,7 +54,7 @@ export class Intro extends SessionElement {
     const name = cast.presentName.toLowerCase();
     const chip = (words: unknown, choose: () => void) => html`<button class="chip" @click=${choose}>${words}</button>`;
     return html`
-      ${context.notices.shown.length > 0 ? "" : html`<p class="line">This ${name} has no bones. <b>Drag any dot.</b></p>`}
+      ${context.notices.all.length > 0 ? "" : html`<p class="line">This ${name} has no bones. <b>Drag any dot.</b></p>`}
       <div class="chips">
         ${performer ? chip(`Try ${withArticle(performer.name.toLowerCase())}`, () => void opening.usePerformer(performer)) : ""}
         ${motion ? chip("Try another dance", () => void opening.useMotion(motion)) : ""}

@@ -35,10 +35,10 @@ export class Range extends LitElement {
   static override styles = [
     base,
     css`
-      :host { display: block; padding-bottom: 12px; }
+      :host { display: block; padding-bottom: 6px; }
       .field-head { display: flex; justify-content: space-between; font: var(--t-strong); }
       output { font: var(--t-body); color: var(--ink-2); }
-      .field-ends { display: flex; justify-content: space-between; font: var(--t-small); color: var(--ink-3); margin-top: -2px; }
+      .field-ends { display: flex; justify-content: space-between; font: var(--t-small); color: var(--ink-3); margin-top: -5px; }
       .range { position: relative; height: 28px; --x: calc(var(--thumb) / 2 + var(--p) * (100% - var(--thumb))); }
       svg { position: absolute; inset: 2px 0; width: 100%; height: 24px; overflow: visible; }
       path { vector-effect: non-scaling-stroke; }
