@@ -4,7 +4,6 @@ import { modelFormat } from "./formats";
 import { type Model, modelOf } from "./model";
 import { baseName, ModelError, type NamedFile } from "./named-file";
 import { READERS } from "./readers";
-import { noModel } from "./refused";
 
 export type { Model } from "./model";
 
@@ -23,6 +22,7 @@ const READING = 0.7;
 export async function readModel(files: readonly NamedFile[], { onProgress }: ReadingOptions = {}): Promise<Model> {
   const [file, format] = firstModel(files);
   if (!file || !format) {
+    const { noModel } = await import("./refused");
     throw new ModelError(noModel(files.map((other) => other.name)));
   }
   const name = baseName(file.name);

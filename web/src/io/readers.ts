@@ -3,7 +3,7 @@
 import type { GltfDocument } from "../gltf/document";
 import type { NamedJoint } from "../sync/named-body";
 import type { ModelId } from "./formats";
-import { type Built, buildDocument } from "./gltf/build";
+import type { Built } from "./gltf/build";
 import { withJoints } from "./gltf/joints";
 import type { NamedFile } from "./named-file";
 import { presentable } from "./take-picture";
@@ -34,6 +34,7 @@ const parts =
   (read: (source: ModelSource) => Promise<Built & { readonly joints?: readonly NamedJoint[] }>): Reader =>
   async (source) => {
     const built = await read(source);
+    const { buildDocument } = await import("./gltf/build");
     const pictures = await presentable(built.pictures ?? [], source.notes);
     return withJoints(buildDocument(source.name, { ...built, pictures }), built.joints ?? []);
   };
