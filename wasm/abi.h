@@ -29,6 +29,7 @@ using PackedStatus = double;
 // Enums whose names both sides know.
 using CoreError = rigless::Error;
 using LengthUnit = rigless::LengthUnit;
+using FrameTimeUnit = rigless::FrameTimeUnit;
 using UpAxis = rigless::UpAxis;
 using BodyRole = rigless::BodyRole;
 using FileAxes = rigless::FileAxes;
@@ -150,12 +151,19 @@ struct MotionNotes {
   Flag frame_cut;
   Flag text_after_end;
   Flag frame_time_assumed;
+  NameOf<FrameTimeUnit> frame_time_unit;
+  Flag frame_numbers;
+  Number rows_replaced;
+  Number row_replaced;  // the line of the first
+  Flag radians;
   Number roots;
   Number renamed;
   Number lengths_ignored;
   Number joints_folded;
   NameOf<UpAxis> up;
   NameOf<LengthUnit> unit;
+  Number pose_in_front;  // frames
+  Flag faced_away;
 };
 
 struct PerformanceInfo {

@@ -73,12 +73,19 @@ RIGLESS_EXPORT const MotionNotes* motion_notes(ObjectHandle motion) {
       .frame_cut = n.frame_cut,
       .text_after_end = n.text_after_end,
       .frame_time_assumed = n.frame_time_assumed,
+      .frame_time_unit = n.frame_time_unit,
+      .frame_numbers = n.frame_numbers,
+      .rows_replaced = n.rows_replaced,
+      .row_replaced = n.row_replaced,
+      .radians = n.radians,
       .roots = n.roots,
       .renamed = n.renamed,
       .lengths_ignored = n.lengths_ignored,
       .joints_folded = n.joints_folded,
       .up = motions[motion].file.up,
       .unit = motions[motion].file.unit.unit,
+      .pose_in_front = motions[motion].file.pose_in_front,
+      .faced_away = motions[motion].file.faced_away,
   });
 }
 

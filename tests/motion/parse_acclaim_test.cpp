@@ -93,6 +93,8 @@ TEST_CASE("the small ASF/AMC pair, in every guise") {
       {asf, replaced(amc, "root 1 9 0 0 90 0\nthigh 90 0\n", "thigh 90 0\nshin\nroot 1 9 0 0 90 0")},
       {asf, replaced(amc, ":DEGREES\n", "")},
       {asf, replaced(replaced(amc, ":DEGREES", ":RADIANS"), " 90 0\n", " 1.5707963267948966 0\n")},
+      {asf, replaced(replaced(amc, "thigh", "Thigh"), "root", "ROOT")},
+      {replaced(asf, "root thigh\n    thigh shin", "ROOT Thigh\n    THIGH shin"), amc},
   };
   for (const auto& guise_texts : guises) {
     const std::string& skeleton = guise_texts.first;
@@ -137,6 +139,8 @@ TEST_CASE("frames that are cut or sparse") {
   CHECK(notes.lengths_ignored == 1);
   REQUIRE(parse_acclaim<double>(small_asf, replaced(amc, ":DEGREES", ":SAMPLES-PER-SECOND 60\n:DEGREES"), clip).ok());
   CHECK(clip.fps == 60);
+  REQUIRE(parse_acclaim<double>(small_asf, amc, clip, &notes).ok());
+  CHECK((clip.fps == 120 && notes.frame_time_assumed));
 }
 
 TEST_CASE("malformed ASF/AMC files say what and where, and leave the outputs alone") {

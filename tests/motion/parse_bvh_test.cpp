@@ -91,6 +91,13 @@ TEST_CASE("the small BVH file, in every guise") {
       replaced(small_bvh, "10 20 30 90 0 0 90\n", "10 20 30\n90 0\n0 90"),  // wrapped, no final line end
       replaced(small_bvh, "10 20 30 90 0 0 90", "1e1 2.E+01 +30 90.0 -0 1e-16 90"),
       replaced(small_bvh, "End Site", "End Site Knee_Nub"),
+      "The title: a hierarchy\n; a note\n" + std::string(small_bvh),
+      replaced(replaced(small_bvh, "rotation", "rot"), "position", "pos"),
+      replaced(small_bvh, "Frames: 2\n", ""),
+      replaced(small_bvh, "Frames: 2\nFrame Time: 0.04", "Frames 2\nFrame Time 0.04"),
+      replaced(small_bvh, "Time: 0.04", "Time: 40"),                                                    // milliseconds
+      replaced(small_bvh, "Time: 0.04", "Time: 25"),                                                    // a second
+      replaced(replaced(small_bvh, "0 0 0 0 0 0 0\n", "1 0 0 0 0 0 0 0\n"), "10 20 30", "2 10 20 30"),  // numbered
   };
   for (const std::string& text : guises) {
     CAPTURE(text);
@@ -159,6 +166,58 @@ TEST_CASE("what is odd but usable is used, and noted") {
   CHECK(clip.skeleton.names[2] == "Bip01 L: Knee_end");
 }
 
+TEST_CASE("what lines of a BVH file lack or have too much is noted") {
+  const std::string head = replaced(small_bvh, "0 0 0 0 0 0 0\n10 20 30 90 0 0 90\n", "");
+  const std::string row = "0 0 0 0 0 0 0\n", last = "10 20 30 90 0 0 90\n";
+  Clip<double> clip;
+  ParseNotes notes;
+  for (const char* bad : {"1 2 3 4 5 6\n", "1 2 3 4 5 6 7 8\n"}) {
+    const std::string frames = row + row + bad + last;
+    REQUIRE(parse_bvh(replaced(head, "Frames: 2", "Frames: 4") + frames, clip, &notes).ok());
+    CHECK(clip.frames == 4);
+    CHECK(notes.rows_replaced == 1);
+    CHECK(notes.row_replaced == 25);
+    CHECK(clip.at(2, 0) == clip.at(1, 0));
+    CHECK(clip.at(3, 1).isApprox(Vec3<double>(10, 21, 30)));
+  }
+  REQUIRE(parse_bvh(head + "1 " + row + "2 " + last, clip, &notes).ok());
+  check_small(clip);
+  CHECK(notes.frame_numbers);
+  CHECK(notes.rows_replaced == 0);
+  REQUIRE(parse_bvh(replaced(head, "Frames: 2", "Frames: 3") + row + last + "1 2 3", clip, &notes).ok());
+  check_small(clip);
+  CHECK(notes.frame_cut);
+
+  REQUIRE(parse_bvh(replaced(small_bvh, "Time: 0.04", "Time: 40"), clip, &notes).ok());
+  CHECK(notes.frame_time_unit == FrameTimeUnit::milliseconds);
+  REQUIRE(parse_bvh(replaced(small_bvh, "Time: 0.04", "Time: 29.97"), clip, &notes).ok());
+  CHECK(notes.frame_time_unit == FrameTimeUnit::rate);
+  CHECK(clip.fps == doctest::Approx(29.97));
+
+  const std::string scaled = replaced(small_bvh, "CHANNELS 1 Zrotation", "CHANNELS 2 Zrotation Xscale");
+  for (const int stretched : {0, 1}) {
+    const std::string frames = "0 0 0 0 0 0 0 1\n10 20 30 90 0 0 90 " + std::to_string(1 + stretched) + "\n";
+    REQUIRE(parse_bvh(replaced(scaled, row + last, frames), clip, &notes).ok());
+    check_small(clip);
+    CHECK(notes.lengths_ignored == stretched);
+  }
+}
+
+TEST_CASE("angles in radians are told by a skeleton that would hardly move") {
+  std::string hierarchy = "HIERARCHY\nROOT a\n{\nCHANNELS 1 Xrotation\n";
+  for (int j = 1; j < 12; ++j) hierarchy += "JOINT b {\nOFFSET 0 1 0\nCHANNELS 1 Xrotation\n";
+  hierarchy += std::string(12, '}') + "\nMOTION\nFrames: 1\nFrame Time: 1\n7 0 0 0 0 0 0 0 0 0 ";
+  Clip<double> clip;
+  ParseNotes notes;
+  REQUIRE(parse_bvh(hierarchy + "1.57 0", clip, &notes).ok());
+  CHECK(notes.radians);
+  CHECK((clip.at(0, 11) - clip.at(0, 10)).dot(clip.at(0, 1) - clip.at(0, 0)) == doctest::Approx(0).epsilon(1e-3));
+  for (const char* degrees : {"90 0", ".5 0", "0 -3.2"}) {
+    REQUIRE(parse_bvh(hierarchy + degrees, clip, &notes).ok());
+    CHECK_FALSE(notes.radians);
+  }
+}
+
 TEST_CASE("malformed BVH files say what and where, and leave the clip alone") {
   struct Case {
     std::string text;
@@ -183,13 +242,14 @@ TEST_CASE("malformed BVH files say what and where, and leave the clip alone") {
       {replaced(small, "20 30 90", "20 3o 90"), Error::bad_number, 24},
       {replaced(small, "OFFSET 1 0 0", "OFFSET 1 0"), Error::bad_number, 9},
       {replaced(small, "CHANNELS 1 Zrotation", "CHANNELS 2 Zrotation"), Error::unsupported, 10},
-      {replaced(small, "CHANNELS 1 Zrotation", "CHANNELS 1 Zscale"), Error::unsupported, 9},
+      {replaced(small, "CHANNELS 1 Zrotation", "CHANNELS 1 Zspin"), Error::unsupported, 9},
       {replaced(small, "CHANNELS 1 Zrotation", "CHANNELS 1e30 Zrotation"), Error::unsupported, 10},
       {replaced(small, "CHANNELS 1 Zrotation", "CHANNELS -1 Zrotation"), Error::bad_number, 9},
       {replaced(small, "CHANNELS 1", "CHANNEL 1"), Error::bad_syntax, 9},
       {replaced(small, "JOINT Knee\n  {", "JOINT Knee\n"), Error::bad_syntax, 8},
       {replaced(small, "Frames:", "Pictures:"), Error::bad_syntax, 21},
-      {replaced(small, "Frames: 2", "Frames 2"), Error::bad_syntax, 22},
+      {replaced(small, "Frames: 2", "Frames two"), Error::bad_number, 21},
+      {replaced(replaced(small, "0 0 0 0 0 0 0\n", "0 0 0 0 0 0\n"), "0 0 90\n", "0 90\n"), Error::bad_syntax, 23},
       {replaced(small, "}\nMOTION", "}\n}\nMOTION"), Error::bad_syntax, 20},
       {replaced(small, "10 20 30", "1e300 1e300 1e300"), Error::none, -1},
       {"HIERARCHY\nMOTION\nFrames: 1\n", Error::bad_syntax, 2},

@@ -80,6 +80,10 @@ TEST_CASE("a body that no unit makes human is made 1.7 m tall") {
     scale_clip(clip, guess.metres_per_unit);
     CHECK(standing_height(clip, find_joint_roles(clip.skeleton)) == doctest::Approx(1.7));
   }
+  for (const double tall : {0.96, 1.0, 1.13}) {  // a child in inches
+    const Clip<double> child = person<double>(tall / 1.72 / 0.0254);
+    CHECK(guess_unit(child, find_joint_roles(child.skeleton)).unit == LengthUnit::inch);
+  }
   Clip<double> point = person<double>(0);
   CHECK(guess_unit(point, find_joint_roles(point.skeleton)).metres_per_unit == 1);
   Clip<double> nameless = person<double>(100);
@@ -106,6 +110,76 @@ TEST_CASE("who lies down in a Y-up file stays down") {
   for (Vec3<double>& p : clip.positions) p = Vec3<double>(p.x(), -p.z(), p.y());
   CHECK(guess_up_axis<double>(clip, find_joint_roles(clip.skeleton), rest) == UpAxis::y);
   CHECK(guess_up_axis<double>(clip, find_joint_roles(clip.skeleton), {}) == UpAxis::z);
+}
+
+TEST_CASE("who stands on the head in the file stands on the feet") {
+  for (const UpAxis up : {UpAxis::minus_y, UpAxis::minus_z}) {
+    Clip<double> clip = person<double>(1, 0.7);
+    const Clip<double> upright = clip;
+    const auto turned = [&](const Vec3<double>& p) {
+      return up == UpAxis::minus_y ? Vec3<double>(p.x(), -p.y(), -p.z()) : Vec3<double>(p.x(), p.z(), -p.y());
+    };
+    for (Vec3<double>& p : clip.positions) p = turned(p);
+    const std::vector<Vec3<double>> rest = rest_of(clip);
+    CHECK(guess_up_axis<double>(clip, find_joint_roles(clip.skeleton), rest) == up);
+    turn_upright(clip, up);
+    for (std::int32_t j = 0; j < clip.joints(); ++j) CHECK((clip.at(0, j) - upright.at(0, j)).norm() < 1e-9);
+    // Who walks on his hands rests as others do.
+    for (std::size_t j = 0; j < rest.size(); ++j) clip.positions[j] = turned(upright.positions[j]);
+    CHECK(guess_up_axis<double>(clip, find_joint_roles(clip.skeleton), upright.positions) == UpAxis::y);
+  }
+}
+
+TEST_CASE("where names do not tell, the axis is up along which the lowest joint stays level") {
+  for (const bool z_up : {false, true}) {
+    Clip<double> clip = person<double>(1);
+    const std::vector<Vec3<double>> body = clip.positions;
+    clip.positions.clear();
+    clip.frames = 60;
+    for (std::int32_t f = 0; f < clip.frames; ++f) {  // walks, which moves the lowest point of every axis but one
+      for (const Vec3<double>& p : body) {
+        const Vec3<double> q = p + Vec3<double>(0, 0, 0.05 * f);
+        clip.positions.push_back(z_up ? Vec3<double>(q.x(), -q.z(), q.y()) : q);
+      }
+      clip.root_rotation.push_back(Eigen::Quaterniond::Identity());
+    }
+    CHECK(guess_up_axis<double>(clip, JointRoles{}, {}) == (z_up ? UpAxis::z : UpAxis::y));
+  }
+}
+
+TEST_CASE("a pose in front of the take is left out, a take that begins with one is not") {
+  const Clip<double> rest = person<double>(100);
+  for (const double bend : {0.5, 0.02}) {
+    Clip<double> clip = rest;
+    for (std::int32_t f = 0; f < 20; ++f) {
+      for (std::int32_t j = 0; j < clip.joints(); ++j) {
+        const Vec3<double> lift(0, 0, j == 4 ? 100 * bend * (bend < 0.1 ? f : 1) : 0);
+        clip.positions.push_back(rest.at(0, j) + lift);
+      }
+      clip.root_rotation.push_back(rest.root_rotation[0]);
+      ++clip.frames;
+    }
+    Clip<double> rested = clip;
+    CHECK(leave_out_pose_in_front<double>(rested, rest.positions) == (bend < 0.1 ? 0 : 1));
+    CHECK(rested.frames == (bend < 0.1 ? 21 : 20));
+    CHECK(rested.positions.size() == static_cast<std::size_t>(rested.frames * rested.joints()));
+    CHECK(rested.root_rotation.size() == static_cast<std::size_t>(rested.frames));
+  }
+}
+
+TEST_CASE_TEMPLATE("who begins facing away is turned to the viewer", S, float, double) {
+  for (const double yaw : {3.0, -2.0, 1.7}) {
+    Clip<S> clip = person<S>(1, yaw);
+    clip.positions.insert(clip.positions.end(), clip.positions.begin(), clip.positions.end());
+    clip.root_rotation.push_back(person<S>(1, yaw + 1).root_rotation[0]);
+    clip.frames = 2;
+    const bool away = std::abs(yaw) > 1.9;
+    const Standardised<S> done = standardise(clip, {});
+    CHECK(done.faced_away == away);
+    CHECK(body_yaw(clip)[0] == doctest::Approx(away ? 0 : yaw).epsilon(1e-5));
+    CHECK(body_yaw(clip)[1] == doctest::Approx(away ? 1 : yaw + 1).epsilon(1e-5));
+    if (away) CHECK((clip.at(0, 4) - person<S>(1).at(0, 4)).norm() < S(1e-5));
+  }
 }
 
 TEST_CASE_TEMPLATE("a root with axes of its own faces where the body faces", S, float, double) {

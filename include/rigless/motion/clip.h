@@ -32,16 +32,24 @@ struct Clip {
   }
 };
 
+// What a file's frame time is in, which should be seconds.
+enum class FrameTimeUnit : std::int32_t { seconds, milliseconds, rate };
+
 // What a parser worked around, so that the user can be told.
 struct ParseNotes {
   std::int32_t frames_declared = 0;  // what the header says; 0 when it says nothing
   std::int32_t frames_read = 0;
-  bool frame_cut = false;            // the text ends inside a frame, which is left out
-  bool text_after_end = false;       // something follows the declared frames and is not read
-  bool frame_time_assumed = false;   // no usable frame time: 1/30 s
+  bool frame_cut = false;           // the text ends inside a frame, which is left out
+  bool text_after_end = false;      // something follows the declared frames and is not read
+  bool frame_time_assumed = false;  // no usable frame time or rate: 1/30 s, of an AMC 1/120 s
+  FrameTimeUnit frame_time_unit = FrameTimeUnit::seconds;
+  bool frame_numbers = false;        // each row begins with its number, which is not read
+  std::int32_t rows_replaced = 0;    // rows with too few or too many numbers, which became copies of those before
+  std::int32_t row_replaced = -1;    // the line of the first of them
+  bool radians = false;              // angles are, although the format says degrees
   std::int32_t roots = 1;            // more than one: only the first hierarchy is read
   std::int32_t renamed = 0;          // joints whose name was taken or empty
-  std::int32_t lengths_ignored = 0;  // channels that stretch or shift a bone (ASF `l`, `tx`), per skeleton
+  std::int32_t lengths_ignored = 0;  // channels that stretch or shift a bone (ASF `l`, `tx`; BVH scales that are not 1)
   std::int32_t joints_folded = 0;    // joints above the hips, whose motion is the hips' now
   std::vector<Vec3<double>> rest;    // J, joint positions without any motion, file units, root at the origin
 };

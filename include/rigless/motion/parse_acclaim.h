@@ -75,6 +75,7 @@ Status parse_amc(std::string_view text, const AcclaimSkeleton& skeleton, Clip<S>
   if (!detail::all_finite(result)) return {Error::not_finite, -1};
   found.frames_read = result.frames;
   found.frame_cut = motion.frame_cut();
+  found.frame_time_assumed = motion.fps_assumed();
   clip = std::move(result);
   if (notes != nullptr) *notes = std::move(found);
   return {};

@@ -9,8 +9,10 @@
 
 #include "rigless/math/status.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/bvh_header.h"
 #include "rigless/motion/detail/bvh_hierarchy.h"
 #include "rigless/motion/detail/bvh_motion.h"
+#include "rigless/motion/detail/bvh_rows.h"
 #include "rigless/motion/detail/clip_limits.h"
 #include "rigless/motion/detail/text_scanner.h"
 
@@ -36,7 +38,8 @@ Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes) {
   detail::BvhMotion motion;
   ParseNotes found;
   if (const Status status = detail::parse_bvh_hierarchy(scanner, hierarchy); !status.ok()) return status;
-  if (const Status status = detail::read_bvh_motion_header(scanner, motion, found); !status.ok()) return status;
+  if (const Status status = detail::read_bvh_motion_header(scanner, motion.frame_time, found); !status.ok())
+    return status;
   const std::size_t channels = static_cast<std::size_t>(hierarchy.channels);
   if (const Status status = detail::read_bvh_values(scanner, channels, motion, found); !status.ok()) return status;
 

@@ -1,10 +1,12 @@
 // From what a file says to what the library takes: metres, Y up, a root that faces where the body faces.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
 #include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/first_frame.h"
 #include "rigless/motion/detail/length_unit.h"
 #include "rigless/motion/detail/root_axes.h"
 #include "rigless/motion/detail/units.h"
@@ -20,16 +22,20 @@ struct Standardised {
   UpAxis up = UpAxis::y;  // of the file
   UnitGuess<S> unit;      // of the file; a factor of 1 for files that state theirs
   bool root_axes_aligned = false;
+  std::int32_t pose_in_front = 0;  // frames of the skeleton's rest before the take, which are left out
+  bool faced_away = false;         // the clip began so, and was turned around
 };
 
 // After parsing, before everything else. `rest` as in ParseNotes, or empty. Allocates scratch.
 template <class S>
 Standardised<S> standardise(Clip<S>& clip, Span<const Vec3<double>> rest) {
   Standardised<S> done;
+  done.pose_in_front = detail::leave_out_pose_in_front(clip, rest);
   done.roles = find_joint_roles(clip);
   done.up = detail::guess_up_axis(clip, done.roles, rest);
-  if (done.up == UpAxis::z) detail::turn_z_up_to_y_up(clip);
+  detail::turn_upright(clip, done.up);
   done.root_axes_aligned = detail::align_root_axes(clip, done.roles);
+  done.faced_away = detail::turn_to_viewer(clip, done.roles);
   done.unit = detail::guess_unit(clip, done.roles);
   detail::scale_clip(clip, done.unit.metres_per_unit);
   return done;

@@ -3,6 +3,8 @@
 import {
   LENGTH_UNIT_NAMES,
   type LengthUnit,
+  FRAME_TIME_UNIT_NAMES,
+  type FrameTimeUnit,
   UP_AXIS_NAMES,
   type UpAxis,
   BODY_ROLE_NAMES,
@@ -16,7 +18,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1134506487;
+export const ABI = 1227142437;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -146,28 +148,44 @@ export interface MotionNotes {
   frameCut: boolean;
   textAfterEnd: boolean;
   frameTimeAssumed: boolean;
+  frameTimeUnit: FrameTimeUnit;
+  frameNumbers: boolean;
+  rowsReplaced: number;
+  /** The line of the first. */
+  rowReplaced: number;
+  radians: boolean;
   roots: number;
   renamed: number;
   lengthsIgnored: number;
   jointsFolded: number;
   up: UpAxis;
   unit: LengthUnit;
+  /** Frames. */
+  poseInFront: number;
+  facedAway: boolean;
 }
 
 export const motionNotesRow: Row<MotionNotes> = {
-  doubles: 11,
+  doubles: 18,
   read: (n) => ({
     framesDeclared: n[0],
     framesRead: n[1],
     frameCut: n[2] !== 0,
     textAfterEnd: n[3] !== 0,
     frameTimeAssumed: n[4] !== 0,
-    roots: n[5],
-    renamed: n[6],
-    lengthsIgnored: n[7],
-    jointsFolded: n[8],
-    up: UP_AXIS_NAMES[n[9]],
-    unit: LENGTH_UNIT_NAMES[n[10]],
+    frameTimeUnit: FRAME_TIME_UNIT_NAMES[n[5]],
+    frameNumbers: n[6] !== 0,
+    rowsReplaced: n[7],
+    rowReplaced: n[8],
+    radians: n[9] !== 0,
+    roots: n[10],
+    renamed: n[11],
+    lengthsIgnored: n[12],
+    jointsFolded: n[13],
+    up: UP_AXIS_NAMES[n[14]],
+    unit: LENGTH_UNIT_NAMES[n[15]],
+    poseInFront: n[16],
+    facedAway: n[17] !== 0,
   }),
 };
 

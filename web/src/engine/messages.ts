@@ -1,17 +1,17 @@
 // Turns what the core says in numbers (math/status.h) into sentences for the person who chose the file:
 // what happened, where, and what to do.
 
-import { CORE_ERROR_NAMES, FPS, PERSON_HEIGHT } from "../util/constants";
-import type { CoreError, LengthUnit } from "../util/constants";
+import { CORE_ERROR_NAMES, PERSON_HEIGHT } from "../util/constants";
+import type { CoreError, LengthUnit, UpAxis } from "../util/constants";
 import type { MotionNotes, PackedStatus } from "./abi";
 import { EngineError } from "./types";
 import type { EngineErrorCode } from "./types";
 
 /** What the engine was asked to take in when the core refused. */
 export type Subject =
-  | { kind: "motion"; name: string; skeleton?: unknown }
+  | { kind: "motion"; name: string; text: string; skeleton?: unknown }
   /** What lies beside a motion. */
-  | { kind: "skeleton"; name: string }
+  | { kind: "skeleton"; name: string; text: string }
   | { kind: "mesh" }
   | { kind: "controls" }
   /** The index of each constraint by the core's count. */
@@ -46,9 +46,14 @@ export function outOfMemory(): EngineError {
 
 const count = (n: number) => n.toLocaleString("en-US");
 
+/** Letters of a line at fault. */
+const MOST_QUOTED = 40;
+
 function motionMessage(error: CoreError, where: number, subject: Extract<Subject, { name: string }>): string {
-  const { kind, name } = subject;
-  const at = where > 0 ? `${name}, line ${count(where)}` : name;
+  const { kind, name, text } = subject;
+  const line = where > 0 ? (text.split(/\r\n|\r|\n/, where)[where - 1] ?? "").trim() : "";
+  const quoted = line.length > MOST_QUOTED ? `${line.slice(0, MOST_QUOTED)}…` : line;
+  const at = where > 0 ? `${name}, line ${count(where)}${quoted && ` (${quoted})`}` : name;
   const stops = where > 0 ? `${name} stops in line ${count(where)}` : `${name} stops too early`;
   switch (error) {
     case "empty_input":
@@ -88,20 +93,38 @@ const UNITS: Record<LengthUnit, string> = {
   none: "",
 };
 
-/** What a reader worked around or guessed. */
-export function motionNotes(name: string, found: MotionNotes): string[] {
+const UPS: Record<UpAxis, string> = {
+  y: "",
+  z: "the Z axis points up; it was turned upright",
+  minus_y: "people stand on their heads; it was turned upright",
+  minus_z: "the Z axis points down; it was turned upright",
+};
+
+/** What a reader worked around or guessed; `fps`: how fast it plays. */
+export function motionNotes(name: string, found: MotionNotes, fps: number): string[] {
   const { framesDeclared: declared, framesRead: read, roots, renamed, lengthsIgnored: lengths, unit } = found;
   const notes: string[] = [];
   if (declared > read) notes.push(`${name} announces ${count(declared)} frames and holds ${count(read)}: these are used.`);
   else if (found.frameCut) notes.push(`The last frame of ${name} is incomplete and left out: ${count(read)} frames are used.`);
   if (found.textAfterEnd) notes.push(`${name} goes on after its ${count(read)} announced frames; the rest is not used.`);
-  if (found.frameTimeAssumed) notes.push(`${name} does not say how fast it plays: ${FPS} frames per second are assumed.`);
+  if (found.frameTimeAssumed) notes.push(`${name} does not say how fast it plays: ${Math.round(fps)} frames per second are assumed.`);
+  if (found.frameTimeUnit !== "seconds")
+    notes.push(`${name} has its frame time in ${found.frameTimeUnit === "rate" ? "frames a second" : "milliseconds"}, and is read so.`);
+  if (found.frameNumbers) notes.push(`Each row of ${name} begins with its number, which is not read.`);
+  if (found.rowsReplaced > 0)
+    notes.push(
+      `${name} has ${found.rowsReplaced === 1 ? "a row" : `${count(found.rowsReplaced)} rows`} of a wrong length, first in line ` +
+        `${count(found.rowReplaced)}: the frame before stays.`,
+    );
+  if (found.radians) notes.push(`The angles of ${name} seem to be in radians, and are read so.`);
   if (roots > 1) notes.push(`${name} holds ${count(roots)} figures; the first is used.`);
   if (renamed > 0) notes.push(`${count(renamed)} ${renamed === 1 ? "joint has" : "joints have"} no name of its own and got a number.`);
   if (lengths > 0)
     notes.push(`${name} changes the length of ${count(lengths)} ${lengths === 1 ? "bone" : "bones"}; the lengths at rest are used.`);
   if (found.jointsFolded > 0) notes.push(`The motion of what stands above the hips in ${name} is theirs.`);
-  if (found.up === "z") notes.push(`In ${name} the Z axis points up; it was turned upright.`);
+  if (UPS[found.up] !== "") notes.push(`In ${name} ${UPS[found.up]}.`);
+  if (found.poseInFront > 0) notes.push(`The pose in front of ${name} is left out.`);
+  if (found.facedAway) notes.push(`${name} begins facing away; it was turned around.`);
   if (unit === "none") notes.push(`${name} is in no common unit; the person in it was made ${PERSON_HEIGHT} m tall.`);
   else if (UNITS[unit] !== "") notes.push(`${name} seems to be in ${UNITS[unit]}.`);
   return notes;

@@ -18,7 +18,7 @@ export function readMotion(wasm: RiglessExports, heap: Heap, input: MotionInput)
     );
     if (status !== 0) {
       const refused = wasm.motion_refused_skeleton(handle) && input.skeleton;
-      throw engineError(status, refused ? { kind: "skeleton", name: refused.name } : { kind: "motion", ...input });
+      throw engineError(status, refused ? { kind: "skeleton", ...refused } : { kind: "motion", ...input });
     }
     return { handle, motion: describe(wasm, heap, handle, input.name) };
   } catch (error) {
@@ -43,6 +43,6 @@ function describe(wasm: RiglessExports, heap: Heap, handle: Handle, name: string
     local: heap.floats(wasm.motion_local(handle), 3 * frames * joints),
     yaw: heap.floats(wasm.motion_yaw(handle), frames),
     source: { frames: info.sourceFrames, fps: info.sourceFps, metresPerUnit: info.metresPerUnit },
-    notes: motionNotes(name, heap.read(motionNotesRow, wasm.motion_notes(handle))),
+    notes: motionNotes(name, heap.read(motionNotesRow, wasm.motion_notes(handle)), info.sourceFps),
   };
 }

@@ -45,7 +45,10 @@ export type CoreError = (typeof CORE_ERROR_NAMES)[number];
 export const LENGTH_UNIT_NAMES = ["metre", "centimetre", "millimetre", "inch", "cmu", "foot", "none"] as const;
 export type LengthUnit = (typeof LENGTH_UNIT_NAMES)[number];
 
-export const UP_AXIS_NAMES = ["y", "z"] as const;
+export const FRAME_TIME_UNIT_NAMES = ["seconds", "milliseconds", "rate"] as const;
+export type FrameTimeUnit = (typeof FRAME_TIME_UNIT_NAMES)[number];
+
+export const UP_AXIS_NAMES = ["y", "z", "minus_y", "minus_z"] as const;
 export type UpAxis = (typeof UP_AXIS_NAMES)[number];
 
 export const BODY_ROLE_NAMES = ["tip", "head", "hand", "foot", "foreleg", "tail", "hips", "chest", "elbow", "knee"] as const;

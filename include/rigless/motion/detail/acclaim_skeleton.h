@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "rigless/math/types.h"
+#include "rigless/motion/detail/text_scanner.h"
 
 namespace rigless {
 
@@ -33,6 +35,16 @@ struct AcclaimSkeleton {
   Vec3<double> root_position = Vec3<double>::Zero();
   double length_unit = 1;  // a value times 0.0254 / length_unit is metres
   bool degrees = true;
+
+  // A bone by its name, or by its name in other case; -1 if there is none.
+  std::int32_t find(std::string_view name) const {
+    const auto found = index.find(std::string(name));
+    if (found != index.end()) return found->second;
+    for (std::size_t b = 0; b < bones.size(); ++b) {
+      if (detail::same_word(bones[b].name, name)) return static_cast<std::int32_t>(b);
+    }
+    return -1;
+  }
 };
 
 }  // namespace rigless

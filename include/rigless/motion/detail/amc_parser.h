@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +33,7 @@ class AmcParser {
   const double* frame(std::size_t f) const { return values_.data() + f * stride_; }
   bool degrees() const { return degrees_; }
   double fps() const { return fps_; }
+  bool fps_assumed() const { return fps_assumed_; }
   bool frame_cut() const { return frame_cut_; }
 
  private:
@@ -51,6 +51,7 @@ class AmcParser {
   std::size_t frames_ = 0;
   bool degrees_ = true;
   double fps_ = 120;
+  bool fps_assumed_ = true;
   bool frame_cut_ = false;
 };
 
@@ -64,6 +65,7 @@ inline Status AmcParser::read_header() {
     if (same_word(word, ":samples-per-second")) {
       if (const Status status = scanner_.number(fps_); !status.ok()) return status;
       if (!(fps_ >= 0.1 && fps_ <= 1e4)) return scanner_.fail(Error::bad_number);
+      fps_assumed_ = false;
     } else if (same_word(word, ":version") || same_word(word, ":bonedata") || same_word(word, ":root")) {
       return scanner_.fail(Error::not_this_format);  // a skeleton
     }
@@ -84,9 +86,9 @@ inline void AmcParser::begin_frame() {
 }
 
 inline Status AmcParser::read_bone(std::string_view name) {
-  const auto found = skeleton_.index.find(std::string(name));
-  if (found == skeleton_.index.end()) return scanner_.fail(Error::unknown_joint);
-  const std::size_t bone = static_cast<std::size_t>(found->second);
+  const std::int32_t found = skeleton_.find(name);
+  if (found < 0) return scanner_.fail(Error::unknown_joint);
+  const std::size_t bone = static_cast<std::size_t>(found);
   double* values = values_.data() + (frames_ - 1) * stride_ + first_[bone];
   const std::int32_t line = scanner_.line();
   for (std::size_t k = 0; k < skeleton_.bones[bone].channels.size(); ++k) {

@@ -176,13 +176,13 @@ inline Status AsfParser::read_hierarchy() {
     if (word.empty()) return scanner_.fail(Error::unexpected_end);
     if (same_word(word, "begin")) continue;
     if (same_word(word, "end")) return {};
-    const auto found = skeleton_.index.find(std::string(word));
-    if (found == skeleton_.index.end()) return scanner_.fail(Error::unknown_joint);
+    const std::int32_t found = skeleton_.find(word);
+    if (found < 0) return scanner_.fail(Error::unknown_joint);
     if (scanner_.line() != parent_line) {
-      parent = found->second;
+      parent = found;
       parent_line = scanner_.line();
     } else {
-      links_.push_back({parent, found->second, parent_line});
+      links_.push_back({parent, found, parent_line});
     }
   }
 }

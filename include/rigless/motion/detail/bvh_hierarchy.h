@@ -15,9 +15,10 @@
 
 namespace rigless::detail {
 
-// One value of a frame: a position or a rotation (degrees) along or about axis 0, 1, 2.
+// One value of a frame: a position, a rotation (degrees) or a scale along or about axis 0, 1, 2.
 struct BvhChannel {
-  bool rotation;
+  enum class Kind : std::int32_t { position, rotation, scale };
+  Kind kind;
   std::int32_t axis;
 };
 
@@ -37,9 +38,9 @@ struct BvhHierarchy {
 };
 
 // Reads up to and including the word MOTION. Braces may stand anywhere, keywords in any case, OFFSET and CHANNELS in
-// any order or missing. Does not recurse. Allocates in proportion to the text. Errors: empty_input; not_this_format:
-// the first word is neither HIERARCHY nor ROOT; unexpected_end; bad_syntax; bad_number; unsupported: a channel that is
-// neither a position nor a rotation. `hierarchy` is then unspecified.
+// any order or missing; a title may stand in front. Does not recurse. Allocates in proportion to the text. Errors:
+// empty_input; not_this_format: no HIERARCHY, and the first word is not ROOT; unexpected_end; bad_syntax; bad_number;
+// unsupported: a channel that is no position, rotation or scale. `hierarchy` is then unspecified.
 Status parse_bvh_hierarchy(TextScanner& scanner, BvhHierarchy& hierarchy);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -66,12 +67,21 @@ class UniqueNames {
   std::unordered_map<std::string, std::int32_t> last_;
 };
 
+// "Xrotation", "Yrot", "zpos".
 inline bool read_bvh_channel(std::string_view word, BvhChannel& channel) {
+  using Kind = BvhChannel::Kind;
+  static constexpr std::pair<std::string_view, Kind> kinds[] = {
+      {"rotation", Kind::rotation}, {"rot", Kind::rotation},         {"position", Kind::position},
+      {"pos", Kind::position},      {"translation", Kind::position}, {"scale", Kind::scale},
+  };
   if (word.size() < 2) return false;
-  const std::string_view kind = word.substr(1);
   channel.axis = (word[0] | 0x20) - 'x';
-  channel.rotation = same_word(kind, "rotation");
-  return channel.axis >= 0 && channel.axis < 3 && (channel.rotation || same_word(kind, "position"));
+  for (const auto& [said, kind] : kinds) {
+    if (!same_word(word.substr(1), said)) continue;
+    channel.kind = kind;
+    return channel.axis >= 0 && channel.axis < 3;
+  }
+  return false;
 }
 
 inline Status read_bvh_channels(TextScanner& scanner, BvhNode& node) {
@@ -127,7 +137,13 @@ inline Status read_bvh_entry(TextScanner& scanner, std::string_view word, Unique
 inline Status parse_bvh_hierarchy(TextScanner& scanner, BvhHierarchy& hierarchy) {
   std::string_view word = scanner.word();
   if (word.empty()) return {Error::empty_input, -1};
-  if (!same_word(word, "HIERARCHY") && !same_word(word, "ROOT")) return scanner.fail(Error::not_this_format);
+  const Status other_format = scanner.fail(Error::not_this_format);
+  const bool bare = same_word(word, "ROOT");
+  for (std::int32_t line = 0; !bare && (!same_word(word, "HIERARCHY") || scanner.line() == line);) {
+    line = scanner.line();  // of a title
+    word = scanner.word();
+    if (word.empty()) return other_format;
+  }
   if (same_word(word, "HIERARCHY")) word = scanner.word();
 
   UniqueNames unique;

@@ -1,72 +1,19 @@
-// The MOTION part of a BVH file, and the joint positions that it gives a hierarchy.
+// The joint positions that the rows of a BVH file give its hierarchy.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
-#include "rigless/math/status.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/detail/bvh_hierarchy.h"
+#include "rigless/motion/detail/bvh_rows.h"
 #include "rigless/motion/detail/euler.h"
 #include "rigless/motion/detail/fold_root.h"
-#include "rigless/motion/detail/text_scanner.h"
 
 namespace rigless::detail {
-
-struct BvhMotion {
-  double frame_time = 0;
-  std::vector<double> values;  // whole frames
-};
-
-// The header lines, in either order.
-inline Status read_bvh_motion_header(TextScanner& scanner, BvhMotion& motion, ParseNotes& notes) {
-  bool timed = false;
-  bool counted = false;
-  while (!timed || !counted) {
-    std::string_view word = scanner.peek();
-    if (word.empty()) return scanner.fail(Error::unexpected_end);
-    const std::string_view key = word.substr(0, word.find(':'));
-    const bool is_count = same_word(key, "Frames");
-    const bool is_time = same_word(key, "Frame") || same_word(key, "FrameTime");
-    if (!is_count && !is_time) return scanner.fail(Error::bad_syntax);
-    scanner.rest_of_line(':');
-    double value = 0;
-    if (!scanner.skip(':')) return scanner.fail(scanner.more() ? Error::bad_syntax : Error::unexpected_end);
-    if (const Status status = scanner.number(value); !status.ok()) return status;
-    if (is_count) {
-      counted = true;
-      notes.frames_declared = static_cast<std::int32_t>(std::min(std::max(value, 0.0), 2e9));
-    } else {
-      timed = true;
-      motion.frame_time = value;
-    }
-  }
-  // 0, or milliseconds, or nonsense: a motion at 30 fps is better than none.
-  notes.frame_time_assumed = !(motion.frame_time >= 1e-4 && motion.frame_time <= 10);
-  if (notes.frame_time_assumed) motion.frame_time = 1.0 / 30.0;
-  return {};
-}
-
-inline Status read_bvh_values(TextScanner& scanner, std::size_t channels, BvhMotion& motion, ParseNotes& notes) {
-  const std::size_t declared = static_cast<std::size_t>(notes.frames_declared);
-  const std::size_t wanted = declared * channels;  // 0: all there is
-  const std::size_t present = scanner.remaining() / 2 + 1;
-  motion.values.reserve(wanted == 0 ? present / 4 : std::min(wanted, present));
-  while ((wanted == 0 || motion.values.size() < wanted) && scanner.more()) {
-    double value = 0;
-    if (const Status status = scanner.number(value); !status.ok()) return status;
-    motion.values.push_back(value);
-  }
-  notes.text_after_end = scanner.more();
-  const std::size_t frames = channels == 0 ? 0 : motion.values.size() / channels;
-  notes.frame_cut = motion.values.size() != frames * channels;
-  motion.values.resize(frames * channels);
-  notes.frames_read = static_cast<std::int32_t>(frames);
-  return frames == 0 ? Status{Error::no_frames, -1} : Status{};
-}
 
 // Do the position channels of joints below the root hold the whole translation (true), or what comes on top of OFFSET?
 // Exporters do either; the sum of squares tells which, because bones hardly change their length.
@@ -77,7 +24,7 @@ inline bool bvh_positions_stand_for_offset(const BvhHierarchy& hierarchy, const 
   std::size_t first = 0;
   for (const BvhNode& node : hierarchy.nodes) {
     for (std::size_t k = 0; k < node.channels.size() && node.parent >= 0; ++k) {
-      if (node.channels[k].rotation) continue;
+      if (node.channels[k].kind != BvhChannel::Kind::position) continue;
       const double offset = node.offset[node.channels[k].axis];
       for (std::size_t i = first + k; i < motion.values.size(); i += stride) {
         from_offset += (motion.values[i] - offset) * (motion.values[i] - offset);
@@ -89,8 +36,39 @@ inline bool bvh_positions_stand_for_offset(const BvhHierarchy& hierarchy, const 
   return from_offset <= from_zero;
 }
 
+// The largest value of a frame of a kind of channel below the root, in size.
+template <class Size>
+double largest_below_root(const BvhHierarchy& hierarchy, const BvhMotion& motion, BvhChannel::Kind kind, Size size) {
+  double largest = 0;
+  const std::size_t stride = static_cast<std::size_t>(hierarchy.channels);
+  std::size_t first = 0;
+  for (const BvhNode& node : hierarchy.nodes) {
+    for (std::size_t k = 0; k < node.channels.size() && node.parent >= 0; ++k) {
+      if (node.channels[k].kind != kind) continue;
+      for (std::size_t i = first + k; i < motion.values.size(); i += stride)
+        largest = std::max(largest, size(motion.values[i]));
+    }
+    first += node.channels.size();
+  }
+  return largest;
+}
+
+// Angles are radians where those of many joints stay within half a turn of them and one is a bend that is seen: nobody
+// moves for whole seconds and bends no joint by more than 3.15 degrees.
+inline bool bvh_in_radians(const BvhHierarchy& hierarchy, const BvhMotion& motion) {
+  const double bend =
+      largest_below_root(hierarchy, motion, BvhChannel::Kind::rotation, [](double x) { return std::abs(x); });
+  return hierarchy.joints >= 12 && bend > 0.6 && bend < 3.15;
+}
+
+// How the values of a file are meant.
+struct BvhReading {
+  bool stand_for_offset;  // position channels below the root
+  double angle_unit;      // radians
+};
+
 // One frame of world positions and rotations.
-inline void pose_bvh(const BvhHierarchy& hierarchy, const double* values, bool stand_for_offset,
+inline void pose_bvh(const BvhHierarchy& hierarchy, const double* values, const BvhReading& reading,
                      std::vector<Vec3<double>>& positions, std::vector<Mat3<double>>& rotations) {
   for (std::size_t j = 0; j < static_cast<std::size_t>(hierarchy.joints); ++j) {
     const BvhNode& node = hierarchy.nodes[j];
@@ -100,10 +78,10 @@ inline void pose_bvh(const BvhHierarchy& hierarchy, const double* values, bool s
     const Mat3<double> frame = rotation;
     for (const BvhChannel& channel : node.channels) {
       const double value = *values++;
-      if (channel.rotation) {
-        turn_about_axis(channel.axis, value * radians_per_degree, rotation);
-      } else {
-        translation[channel.axis] = root || stand_for_offset ? value : node.offset[channel.axis] + value;
+      if (channel.kind == BvhChannel::Kind::rotation) {
+        turn_about_axis(channel.axis, value * reading.angle_unit, rotation);
+      } else if (channel.kind == BvhChannel::Kind::position) {
+        translation[channel.axis] = root || reading.stand_for_offset ? value : node.offset[channel.axis] + value;
       }
     }
     positions[j] = frame * translation;
@@ -135,10 +113,14 @@ template <class S>
 void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const Skeleton& skeleton, Clip<S>& clip,
                    ParseNotes& notes) {
   const std::size_t joints = skeleton.names.size();
-  const bool stand_for_offset = bvh_positions_stand_for_offset(hierarchy, motion);
+  notes.radians = bvh_in_radians(hierarchy, motion);
+  const BvhReading reading = {bvh_positions_stand_for_offset(hierarchy, motion),
+                              notes.radians ? 1.0 : radians_per_degree};
+  const auto stretch = [](double x) { return std::abs(x - 1); };
+  notes.lengths_ignored = largest_below_root(hierarchy, motion, BvhChannel::Kind::scale, stretch) > 1e-3 ? 1 : 0;
   std::vector<Vec3<double>> positions(joints);
   std::vector<Mat3<double>> rotations(joints);
-  pose_bvh(hierarchy, motion.values.data(), stand_for_offset, positions, rotations);
+  pose_bvh(hierarchy, motion.values.data(), reading, positions, rotations);
   const KeptJoints kept = joints_from_hips(skeleton, positions);
   clip.skeleton = kept_skeleton(skeleton, kept);
   notes.joints_folded = kept.above;
@@ -147,7 +129,7 @@ void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const
   clip.root_rotation.reserve(static_cast<std::size_t>(clip.frames));
   const std::size_t stride = static_cast<std::size_t>(hierarchy.channels);
   for (std::size_t i = 0; i < motion.values.size(); i += stride) {
-    pose_bvh(hierarchy, motion.values.data() + i, stand_for_offset, positions, rotations);
+    pose_bvh(hierarchy, motion.values.data() + i, reading, positions, rotations);
     for (const std::int32_t j : kept.joints) clip.positions.push_back(positions[static_cast<std::size_t>(j)].cast<S>());
     clip.root_rotation.push_back(Eigen::Quaterniond(rotations[kept.hips()]).normalized().cast<S>());
   }

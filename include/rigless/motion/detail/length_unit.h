@@ -15,6 +15,6 @@ struct UnitGuess {
   LengthUnit unit = LengthUnit::none;  // none: the body is as tall as no unit makes it, and scaled to person_height
 };
 
-enum class UpAxis : std::int32_t { y, z };
+enum class UpAxis : std::int32_t { y, z, minus_y, minus_z };
 
 }  // namespace rigless

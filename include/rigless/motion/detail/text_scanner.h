@@ -44,6 +44,12 @@ class TextScanner {
     return found;
   }
 
+  // Takes characters of the word that was looked at; takes spaces up to the end of the line.
+  void take(std::size_t characters) { at_ += characters; }
+  void skip_space() {
+    while (at_ < text_.size() && is_space(text_[at_]) && !is_line_end(text_[at_])) ++at_;
+  }
+
   // Errors: unexpected_end; bad_number: not a number, or not a finite one.
   Status number(double& value);
 
@@ -163,7 +169,7 @@ inline std::string_view TextScanner::word() {
 }
 
 inline std::string_view TextScanner::rest_of_line(char stop) {
-  while (at_ < text_.size() && is_space(text_[at_]) && !is_line_end(text_[at_])) ++at_;
+  skip_space();
   const std::size_t begin = at_;
   std::size_t end = at_;
   for (; at_ < text_.size() && !is_line_end(text_[at_]) && text_[at_] != stop; ++at_) {

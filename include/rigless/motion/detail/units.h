@@ -22,7 +22,8 @@ S standing_height(const Clip<S>& clip, const JointRoles& roles);
 
 // The unit that brings the height nearest to person_height on a logarithmic scale, if that is between 1.0 m and 2.4 m
 // (a child, a giant); otherwise the factor that makes it that. 1 for a clip without extent. `cmu` is 0.45 inch, the
-// unit of CMU's files and of the BVH files made from them. Allocates scratch.
+// unit of CMU's files and of the BVH files made from them, who are no giants: a child in inches, of 0.9 m at least, is
+// as tall in numbers. Allocates scratch.
 template <class S>
 UnitGuess<S> guess_unit(const Clip<S>& clip, const JointRoles& roles);
 
@@ -82,10 +83,12 @@ UnitGuess<S> guess_unit(const Clip<S>& clip, const JointRoles& roles) {
   std::size_t best = 0;
   const auto distance = [&](std::size_t k) { return std::abs(std::log(height * metres[k] / person_height)); };
   for (std::size_t k = 1; k < metres.size(); ++k) {
-    if (distance(k) < distance(best)) best = k;
+    const bool giant = static_cast<LengthUnit>(k) == LengthUnit::cmu && height * metres[k] > 2.06;
+    if (!giant && distance(k) < distance(best)) best = k;
   }
   const double tall = height * metres[best];
-  if (tall < 1.0 || tall > 2.4) return {static_cast<S>(person_height / height), LengthUnit::none};
+  const double least = static_cast<LengthUnit>(best) == LengthUnit::inch ? 0.9 : 1.0;
+  if (tall < least || tall > 2.4) return {static_cast<S>(person_height / height), LengthUnit::none};
   return {static_cast<S>(metres[best]), static_cast<LengthUnit>(best)};
 }
 

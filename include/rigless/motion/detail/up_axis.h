@@ -1,10 +1,12 @@
-// Files in which Z points up, turned so that Y does.
+// Files in which Z points up, or whose people stand on their heads, turned so that Y does.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
@@ -14,16 +16,17 @@
 
 namespace rigless::detail {
 
-// Z if the head is, on average over the clip, above the feet along +Z rather than Y, and the skeleton at rest (J, file
-// units, or empty; ParseNotes::rest) does not itself stand along Y, as that of a man who lies down does. Y in doubt.
-// Does not allocate.
+// Z if the head is, on average over the clip, above the feet along Z rather than Y, and the skeleton at rest (J, file
+// units, or empty; ParseNotes::rest) does not itself stand along Y, as that of a man who lies down does. Minus where
+// body and rest are upside down. Where names do not tell, or the body leans too much to tell, Z if its lowest joint
+// stays level along Z and not along Y. Y in doubt. Allocates scratch.
 template <class S>
 UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Vec3<double>> rest);
 
-// Turns the whole world by -90 degrees about X: Z becomes Y, Y becomes -Z. The root's axes turn with it at rest, so
-// that an upright root stays the identity and its yaw stays its yaw. Does not allocate.
+// Turns the whole world about X so that the axis becomes Y: Z by -90 degrees, Y becoming -Z. The root's axes turn with
+// it at rest, so that an upright root stays the identity and its yaw stays its yaw. Does not allocate.
 template <class S>
-void turn_z_up_to_y_up(Clip<S>& clip);
+void turn_upright(Clip<S>& clip, UpAxis up);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -36,23 +39,59 @@ Vec3<double> body_up(const JointRoles& roles, const Vec3<S>* positions) {
   return at(roles.head) - (at(roles.left.ankle) + at(roles.right.ankle)) / 2;
 }
 
+// How much the lowest joint along an axis goes up and down, by the size of the body: nearly nothing along the one that
+// is up, for whoever walks on a floor. Without the tenths at either end, which are jumps. Allocates scratch.
 template <class S>
-UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Vec3<double>> rest) {
-  if (roles.head < 0 || roles.left.ankle < 0 || roles.right.ankle < 0) return UpAxis::y;
-  const std::size_t joints = clip.skeleton.names.size();
-  Vec3<double> up = Vec3<double>::Zero();
-  for (std::size_t i = 0; i < clip.positions.size(); i += joints) up += body_up(roles, clip.positions.data() + i);
-  if (!(up.z() > 2 * std::abs(up.y()) && up.z() > std::abs(up.x()))) return UpAxis::y;
-  if (rest.size() != joints) return UpAxis::z;
-  const Vec3<double> rest_up = body_up(roles, rest.data());
-  const bool stands_along_y = rest_up.y() > std::abs(rest_up.x()) && rest_up.y() > std::abs(rest_up.z());
-  return stands_along_y ? UpAxis::y : UpAxis::z;
+double unevenness(const Clip<S>& clip, Eigen::Index axis) {
+  std::vector<double> lowest, sizes;
+  for (std::int32_t f = 0; f < clip.frames; ++f) {
+    Vec3<double> low = clip.at(f, 0).template cast<double>(), high = low;
+    for (std::int32_t j = 1; j < clip.joints(); ++j) {
+      const Vec3<double> p = clip.at(f, j).template cast<double>();
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    lowest.push_back(low[axis]);
+    sizes.push_back((high - low).maxCoeff());
+  }
+  std::sort(lowest.begin(), lowest.end());
+  std::sort(sizes.begin(), sizes.end());
+  const std::size_t tenth = lowest.size() / 10;
+  return (lowest[lowest.size() - 1 - tenth] - lowest[tenth]) / std::max(sizes[sizes.size() / 2], 1e-30);
 }
 
 template <class S>
-void turn_z_up_to_y_up(Clip<S>& clip) {
-  for (Vec3<S>& p : clip.positions) p = Vec3<S>(p.x(), p.z(), -p.y());
-  for (Eigen::Quaternion<S>& q : clip.root_rotation) q = Eigen::Quaternion<S>(q.w(), q.x(), q.z(), -q.y());
+UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Vec3<double>> rest) {
+  constexpr double level = 0.06, uneven = 0.12;  // real files: .025 at most, .17 at least
+  const std::size_t joints = clip.skeleton.names.size();
+  const auto z_is_level = [&] {
+    return clip.frames > 10 && unevenness(clip, 2) < level && unevenness(clip, 1) > uneven;
+  };
+  if (roles.head < 0 || roles.left.ankle < 0 || roles.right.ankle < 0) return z_is_level() ? UpAxis::z : UpAxis::y;
+  Vec3<double> up = Vec3<double>::Zero();
+  for (std::size_t i = 0; i < clip.positions.size(); i += joints) up += body_up(roles, clip.positions.data() + i);
+  const Vec3<double> rest_up = rest.size() == joints ? body_up(roles, rest.data()) : up;
+  const bool rests_along_y =
+      std::abs(rest_up.y()) > std::abs(rest_up.x()) && std::abs(rest_up.y()) > std::abs(rest_up.z());
+  if (std::abs(up.z()) > 2 * std::abs(up.y()) && std::abs(up.z()) > std::abs(up.x())) {
+    if (rest.size() == joints && rests_along_y) return UpAxis::y;
+    return up.z() < 0 && rest_up.z() < 0 ? UpAxis::minus_z : UpAxis::z;
+  }
+  if (std::abs(up.y()) > 2 * std::abs(up.z())) return up.y() < 0 && rest_up.y() < 0 ? UpAxis::minus_y : UpAxis::y;
+  return !rests_along_y && z_is_level() ? UpAxis::z : UpAxis::y;
+}
+
+template <class S>
+void turn_upright(Clip<S>& clip, UpAxis up) {
+  using Quaternion = Eigen::Quaternion<S>;
+  if (up == UpAxis::z || up == UpAxis::minus_z) {
+    for (Vec3<S>& p : clip.positions) p = Vec3<S>(p.x(), p.z(), -p.y());
+    for (Quaternion& q : clip.root_rotation) q = Quaternion(q.w(), q.x(), q.z(), -q.y());
+  }
+  if (up == UpAxis::minus_y || up == UpAxis::minus_z) {
+    for (Vec3<S>& p : clip.positions) p = Vec3<S>(p.x(), -p.y(), -p.z());
+    for (Quaternion& q : clip.root_rotation) q = Quaternion(q.w(), q.x(), -q.y(), -q.z());
+  }
 }
 
 }  // namespace rigless::detail
