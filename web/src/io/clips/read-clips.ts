@@ -9,7 +9,7 @@ import type { ReadingOptions } from "../read-model";
 import type { FoundClip } from "./found-clip";
 import { jointsOfTree, movedBy } from "./joints-of-tree";
 import type { MovingTree } from "./moving-tree";
-import { poseOf, sampleClip } from "./sample-clip";
+import { poseOf, sampleClip, spanOf } from "./sample-clip";
 import { writeBvh } from "./write-bvh";
 
 /** Shorter is a pose. */
@@ -28,7 +28,10 @@ export async function readClips(files: readonly NamedFile[], { onProgress }: Rea
   const joints = jointsOfTree(tree, moving.clips);
   const own = new Set(joints.flatMap(({ object }) => above(object)));
   const clips = moving.clips.filter((clip) => [...movedBy(tree, [clip])].some((object) => own.has(object)));
-  const long = clips.filter((clip) => clip.duration >= SHORTEST);
+  const long = clips.filter((clip) => {
+    const [from, to] = spanOf(clip);
+    return to - from >= SHORTEST;
+  });
   if (long.length === 0) throw new ModelError(noClip(name, moving.clips.length, joints.length));
   if (joints.length > MOST_JOINTS) throw new ModelError(`${name} moves ${count(joints.length, "joint")}, and we read 4,096 at most.`);
   const rest = poseOf(tree, joints);

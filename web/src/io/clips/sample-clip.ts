@@ -21,8 +21,7 @@ const MOST_FRAMES = 500_000;
 /** Positions in units of the tree. A clip of one frame gives one. */
 export function sampleClip(tree: Object3D, joints: readonly Joint[], clip: AnimationClip): Sampled {
   const fps = paceOf(clip);
-  const from = Math.min(...clip.tracks.map(({ times }) => times[0]));
-  const to = Math.max(...clip.tracks.map(({ times }) => times[times.length - 1]));
+  const [from, to] = spanOf(clip);
   const frames = Math.min(MOST_FRAMES, Math.round((to - from) * fps) + 1);
   const mixer = new AnimationMixer(tree);
   const action = mixer.clipAction(clip).setLoop(LoopOnce, 1).play();
@@ -38,6 +37,12 @@ export function sampleClip(tree: Object3D, joints: readonly Joint[], clip: Anima
   mixer.stopAllAction(); // as it was at rest
   mixer.uncacheRoot(tree);
   return { fps, positions, turns };
+}
+
+/** From its first key to its last, in seconds. */
+export function spanOf({ tracks }: AnimationClip): [from: number, to: number] {
+  const all = tracks.flatMap(({ times }) => [times[0], times[times.length - 1]]);
+  return [Math.min(...all), Math.max(...all)];
 }
 
 /** How the joints stand now. */
