@@ -1,4 +1,4 @@
-// Files that people have models in and that Rigless does not read, each with the way from there.
+// Files that people have models or motions in and that Rigless does not read, each with the way from there.
 
 import { wordList } from "./format";
 import { listed } from "./formats";
@@ -42,6 +42,27 @@ const REFUSED: readonly Refused[] = [
     is: "a cloud of points without a surface",
     way: "Make a mesh of it, in MeshLab or CloudCompare for example, and save that as PLY.",
   },
+  {
+    extensions: ["c3d", "trc", "tak", "trb"],
+    is: "the path of markers, without a skeleton",
+    way: "Open it in Mokka, OpenSim or your capture program, solve a skeleton for it, and save that as BVH or FBX.",
+  },
+  {
+    extensions: ["npz", "npy", "pkl"],
+    is: "a motion as arrays of numbers, as SMPL and AMASS have them",
+    way: "Open it in Blender with the SMPL-X add-on, and save it as FBX or BVH.",
+  },
+  {
+    extensions: ["mp4", "mov", "avi", "webm", "mkv", "gif"],
+    is: "a film",
+    way: "Have a program for motion capture from films make a BVH or an FBX of it.",
+  },
+  {
+    extensions: ["vmd"],
+    is: "a MikuMikuDance motion",
+    way: "Open it in Blender with MMD Tools, on its model, and save it as glTF 2.0 (.glb).",
+  },
+  { extensions: ["anim"], is: "a motion of Unity or Maya", way: "Save it with its skeleton as FBX." },
   { extensions: ["unitypackage", "prefab"], is: "a Unity package", way: "Drop the FBX or GLB that it was made of." },
   { extensions: ["uasset", "umap"], is: "an Unreal asset", way: "In Unreal choose Asset Actions > Export, and save it as GLB or FBX." },
   { extensions: ["rar", "7z", "tar", "gz"], is: "an archive that we do not open", way: "Unpack it, and drop what was in it." },

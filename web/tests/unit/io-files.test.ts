@@ -96,6 +96,12 @@ describe("one drop of many files", () => {
     ]);
   });
 
+  it.each(["walk.c3d", "walk.trc", "amass.npz", "dance.mp4", "dance.vmd"])("%s gets one sentence that names the way", async (name) => {
+    const { problems, motions, models } = await sortFiles([junk(name)]);
+    expect([motions, models, problems.length]).toEqual([[], [], 1]);
+    expect(problems[0]).toMatch(new RegExp(`^${name} is .+\\. .*(BVH|FBX|glTF)`));
+  });
+
   it("a picture alone belongs to a model", async () => {
     expect((await sortFiles([{ name: "cow.png", bytes: PNG }])).problems).toEqual(["cow.png belongs to a model: drop both together."]);
   });
