@@ -187,7 +187,7 @@ function colourAt(part, p, u, v) {
 
 // --- Rasteriser --------------------------------------------------------------------------------------------------------
 
-const quantise = (x) => Math.min(255, 4 * Math.round(x / 4));
+const quantise = (x) => Math.min(255, 7 * Math.round(x / 7));
 
 /** Paints one triangle: texels inside, and a few beyond its edges where no other triangle is nearer. */
 function paintTriangle(image, owner, vertices, f, texel) {
