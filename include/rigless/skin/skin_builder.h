@@ -25,8 +25,8 @@ struct Skin {
   static constexpr std::int32_t influences = detail::skin_influences;
 
   struct Pose {
-    Eigen::Quaternion<S> turn;  // the same sign from frame to frame
-    Vec3<S> place;              // where the joint's centre goes
+    Eigen::Quaternion<S, Eigen::DontAlign> turn;  // the same sign from frame to frame
+    Vec3<S> place;                                // where the joint's centre goes
   };
 
   std::vector<Vec3<S>> centre;      // J, at rest: in the middle of what it carries
@@ -266,7 +266,7 @@ class SkinBuilder {
                        const Vec3<double>& place) {
     Eigen::Quaternion<double> q(R);
     q.normalize();
-    Eigen::Quaternion<S> turn = q.template cast<S>();
+    Eigen::Quaternion<S, Eigen::DontAlign> turn(q.template cast<S>());
     if (to.size() >= step && to[to.size() - step].turn.dot(turn) < 0) turn.coeffs() = -turn.coeffs();
     to.push_back({turn, place.template cast<S>()});
   }
