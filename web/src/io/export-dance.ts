@@ -42,9 +42,9 @@ export async function exportDance(
 
 /** In words: how many joints there are, and how like the file is to the dance. */
 export function sayLikeness({ joints, rms, worst, normals }: Likeness): string {
-  const degrees = (normals * 180) / Math.PI;
   const share = (of: number): string => `${(100 * of).toFixed(2)} %`;
-  return `${joints} joints; ${share(rms)} of the model's size off on average, ${share(worst)} in the worst place; light ${degrees.toFixed(1)} degrees off`;
+  const degrees = ((normals * 180) / Math.PI).toFixed(1);
+  return `${joints} joints; ${share(rms)} of the model's size off on average, ${share(worst)} in the worst place; light ${degrees} degrees off`;
 }
 
 /** The least step with which every viewer takes a dance of so many frames. */
