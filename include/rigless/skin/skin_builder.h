@@ -3,10 +3,8 @@
 
 #include <cmath>
 
-#include "rigless/math/status.h"
-#include "rigless/mesh/detail/one_ring.h"
-#include "rigless/mesh/detail/weld.h"
 #include "rigless/skin/detail/joint_growth.h"
+#include "rigless/skin/detail/moving_points.h"
 #include "rigless/skin/detail/skin_likeness.h"
 
 namespace rigless {
@@ -48,45 +46,20 @@ class SkinBuilder {
   // seam. Allocates. Errors: empty_input; index_out_of_range (face); not_finite (vertex).
   Status begin(Span<const Vec3<S>> rest, Span<const Face> faces, const SkinOptions& options = {}) {
     RIGLESS_ASSERT(options.joints > 0 && options.joints < 256);
-    if (rest.empty()) return {Error::empty_input, -1};
-    if (!faces.empty()) {
-      if (const Status s = detail::check_faces(faces, count_of(rest)); !s.ok()) return s;
-    }
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-      if (!std::isfinite(rest[v].squaredNorm())) return {Error::not_finite, v};
-    }
+    detail::MovingPoints<S> points;
+    if (const Status s = points.begin(rest, faces); !s.ok()) return s;
     *this = SkinBuilder();
     options_ = options;
-    rest_.assign(rest.begin(), rest.end());
-    faces_.assign(faces.begin(), faces.end());
-    first_ = detail::weld<S>(rest_);
-    Vec3<S> low = rest[0], high = low;
-    for (const Vec3<S>& p : rest_) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    diagonal_ = static_cast<double>((high - low).norm());
+    points_ = std::move(points);
     return {};
   }
 
   // V positions. Allocates. Errors: size_mismatch; not_finite (vertex).
-  Status add_frame(Span<const Vec3<S>> positions) {
-    if (positions.size() != rest_.size()) return {Error::size_mismatch, -1};
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      if (!std::isfinite(positions[v].squaredNorm())) return {Error::not_finite, v};
-    }
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      if (positions[v] != nth(positions, first_[v])) first_[v] = static_cast<std::int32_t>(v);
-    }
-    roots_.push_back(detail::nearest_rigid_motion(
-        count_of(rest_), [&](auto v) { return wide(nth(rest_, v)); }, [&](auto v) { return wide(positions[v]); }));
-    frames_.insert(frames_.end(), positions.begin(), positions.end());
-    return {};
-  }
+  Status add_frame(Span<const Vec3<S>> positions) { return points_.add_frame(positions); }
 
   // Works on; true while work is left. Without frames there is none. Allocates.
   bool advance() {
-    if (roots_.empty()) return false;
+    if (points_.roots.empty()) return false;
     switch (stage_) {
       case Stage::gather:
         gather();
@@ -118,7 +91,7 @@ class SkinBuilder {
       case Stage::weigh:
         return 0.6 + 0.06 * passes_;
       case Stage::pose:
-        return 0.8 + 0.2 * static_cast<double>(posed_) / static_cast<double>(roots_.size());
+        return 0.8 + 0.2 * static_cast<double>(posed_) / static_cast<double>(points_.roots.size());
       case Stage::done:
         break;
     }
@@ -135,60 +108,21 @@ class SkinBuilder {
   static constexpr std::int32_t coordinates = 48;   // of a trajectory
   static constexpr int passes = 4;                  // of all vertices
 
-  static Vec3<double> wide(const Vec3<S>& p) { return p.template cast<double>(); }
-
-  // Where point i is in frame f before the root moves it.
-  Vec3<double> now(std::size_t f, std::int32_t i) const {
-    return roots_[f].back(wide(frames_[f * rest_.size() + to_size(nth(point_, i))]));
-  }
-
-  // 3F x many: how points leave their places at rest in the frames that are looked at.
-  detail::SkinMatrix ways(Span<const std::int32_t> points) const {
-    detail::SkinMatrix Y(3 * static_cast<Eigen::Index>(looked_.size()), static_cast<Eigen::Index>(points.size()));
-    for (std::size_t k = 0; k < looked_.size(); ++k) {
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        Y.template block<3, 1>(static_cast<Eigen::Index>(3 * k), static_cast<Eigen::Index>(i)) =
-            now(looked_[k], points[i]) - nth(at_rest_, points[i]);
-      }
-    }
-    return Y;
-  }
-
   void gather() {
-    std::vector<std::int32_t> point_of(rest_.size());
-    for (std::size_t v = 0; v < rest_.size(); ++v) {
-      if (first_[v] == static_cast<std::int32_t>(v)) {
-        point_of[v] = count_of(point_);
-        point_.push_back(static_cast<std::int32_t>(v));
-        at_rest_.push_back(wide(rest_[v]));
-      }
-      point_of[v] = nth(point_of, first_[v]);
-    }
-    first_ = std::move(point_of);
-    std::vector<std::array<std::int32_t, 2>> pairs;
-    for (Face& f : faces_) {
-      for (std::int32_t& v : f) v = nth(first_, v);
-      for (int k = 0; k < 3; ++k) {
-        const std::int32_t a = f[to_size(k)], b = f[to_size((k + 1) % 3)];
-        if (a != b) pairs.push_back({a, b});
-      }
-    }
-    ring_ = detail::one_ring_from_pairs(pairs, count_of(point_));
-    const auto every = [](std::size_t n, std::int32_t most) { return (n + to_size(most) - 1) / to_size(most); };
-    step_ = every(roots_.size(), most_frames);
-    for (std::size_t f = 0; f < roots_.size(); f += step_) looked_.push_back(f);
+    points_.gather(most_frames);
+    const std::int32_t every = (points_.count() + sample - 1) / sample;
     std::vector<std::int32_t> chosen;
-    for (std::size_t i = 0; i < point_.size(); i += every(point_.size(), sample)) {
-      chosen.push_back(static_cast<std::int32_t>(i));
-    }
-    Y_ = ways(chosen);
-    motion_.basis = detail::trajectory_basis(Y_, coordinates);
     std::vector<Vec3<double>> places;
-    for (const std::int32_t i : chosen) places.push_back(nth(at_rest_, i));
+    for (std::int32_t i = 0; i < points_.count(); i += every) {
+      chosen.push_back(i);
+      places.push_back(nth(points_.rest, i));
+    }
+    Y_ = points_.ways(chosen);
+    motion_.basis = detail::trajectory_basis(Y_, coordinates);
     motion_.append(places, Y_);
-    goal_ = {0.95 * options_.rms * diagonal_, 0.9 * options_.worst * diagonal_};
+    goal_ = {0.95 * options_.rms * points_.diagonal, 0.9 * options_.worst * points_.diagonal};
     growth_.begin(motion_, Y_);
-    options_.joints = std::min(options_.joints, count_of(point_));
+    options_.joints = std::min(options_.joints, points_.count());
   }
 
   // A pass over all points; true after the last.
@@ -197,22 +131,22 @@ class SkinBuilder {
       whole_ = {};
       whole_.basis = motion_.basis;
       constexpr std::int32_t block = 1024;
-      for (std::int32_t from = 0; from < count_of(point_); from += block) {
-        std::vector<std::int32_t> some(to_size(std::min(block, count_of(point_) - from)));
+      for (std::int32_t from = 0; from < points_.count(); from += block) {
+        std::vector<std::int32_t> some(to_size(std::min(block, points_.count() - from)));
         std::iota(some.begin(), some.end(), from);
-        whole_.append({at_rest_.data() + from, some.size()}, ways(some));
+        whole_.append({points_.rest.data() + from, some.size()}, points_.ways(some));
       }
       fit_.joints = growth_.fit.joints;
       fit_.begin(whole_);
       fit_.fit_weights();
     } else {
       fit_.fit_joints();
-      const double length = 0.5 * options_.rms * diagonal_;
-      fit_.fit_weights({&ring_, length * length * static_cast<double>(looked_.size())});
+      const double length = 0.5 * options_.rms * points_.diagonal;
+      fit_.fit_weights({&points_.ring, length * length * static_cast<double>(points_.looked.size())});
     }
     if (++passes_ < passes) return false;
-    poses_.begin(at_rest_, fit_.influences, count_of(fit_.joints));
-    measure_ = detail::SkinMeasure(at_rest_, fit_.influences, faces_);
+    poses_.begin(points_.rest, fit_.influences, count_of(fit_.joints));
+    measure_ = detail::SkinMeasure(points_.rest, fit_.influences, points_.faces);
     posed_ = 0;
     skin_ = {};
     describe();
@@ -223,18 +157,18 @@ class SkinBuilder {
     const std::int32_t J = count_of(fit_.joints);
     std::vector<Vec3<double>> sum(to_size(J), Vec3<double>::Zero());
     std::vector<double> all(to_size(J), 0);
-    for (std::size_t i = 0; i < point_.size(); ++i) {
+    for (std::size_t i = 0; i < points_.rest.size(); ++i) {
       const detail::Influences& of = fit_.influences[i];
       for (int a = 0; a < of.used(); ++a) {
-        nth(sum, nth(of.joint, a)) += nth(of.weight, a) * at_rest_[i];
+        nth(sum, nth(of.joint, a)) += nth(of.weight, a) * points_.rest[i];
         nth(all, nth(of.joint, a)) += nth(of.weight, a);
       }
     }
     for (std::int32_t j = 0; j < J; ++j) {
-      const Vec3<double> centre = nth(all, j) > 0 ? Vec3<double>(nth(sum, j) / nth(all, j)) : at_rest_[0];
+      const Vec3<double> centre = nth(all, j) > 0 ? Vec3<double>(nth(sum, j) / nth(all, j)) : points_.rest[0];
       skin_.centre.push_back(centre.template cast<S>());
     }
-    for (const std::int32_t i : first_) {
+    for (const std::int32_t i : points_.of_vertex) {
       const detail::Influences& of = nth(fit_.influences, i);
       for (int a = 0; a < Skin<S>::influences; ++a) {
         skin_.joint.push_back(std::max(0, nth(of.joint, a)));
@@ -245,21 +179,21 @@ class SkinBuilder {
 
   // The next frame; true after the last.
   bool pose() {
-    std::vector<Vec3<double>> present(point_.size());
-    for (std::int32_t i = 0; i < count_of(point_); ++i) nth(present, i) = now(posed_, i);
+    std::vector<Vec3<double>> present(points_.rest.size());
+    for (std::int32_t i = 0; i < points_.count(); ++i) nth(present, i) = points_.now(posed_, i);
     for (std::size_t j = 0; j < poses_.pose.size(); ++j) {  // from the frame beside it that the fit has looked at
-      poses_.pose[j] = fit_.joints[j].middleRows<3>(static_cast<Eigen::Index>(3 * (posed_ / step_)));
+      poses_.pose[j] = fit_.joints[j].middleRows<3>(static_cast<Eigen::Index>(3 * (posed_ / points_.step)));
     }
     poses_.fit([&](std::size_t i) -> const Vec3<double>& { return present[i]; });
     measure_.add(poses_, present);
-    add_pose(skin_.root, 1, roots_[posed_].R, roots_[posed_].t);
+    add_pose(skin_.root, 1, points_.roots[posed_].R, points_.roots[posed_].t);
     for (std::size_t j = 0; j < poses_.pose.size(); ++j) {
       const detail::JointMotion& D = poses_.pose[j];
-      const Vec3<double> centre = wide(skin_.centre[j]);
+      const Vec3<double> centre = skin_.centre[j].template cast<double>();
       const Vec3<double> place = centre + D * detail::lifted(centre);
       add_pose(skin_.pose, poses_.pose.size(), D.template leftCols<3>() + Mat3<double>::Identity(), place);
     }
-    return ++posed_ == roots_.size();
+    return ++posed_ == points_.roots.size();
   }
 
   static void add_pose(std::vector<typename Skin<S>::Pose>& to, std::size_t step, const Mat3<double>& R,
@@ -273,8 +207,8 @@ class SkinBuilder {
 
   // False when more joints are worth a try: what the sample said was not true of all.
   bool finish() {
-    skin_.rms = diagonal_ > 0 ? measure_.rms() / diagonal_ : 0;
-    skin_.worst = diagonal_ > 0 ? measure_.worst() / diagonal_ : 0;
+    skin_.rms = points_.diagonal > 0 ? measure_.rms() / points_.diagonal : 0;
+    skin_.worst = points_.diagonal > 0 ? measure_.worst() / points_.diagonal : 0;
     skin_.normals = measure_.normals_rms();
     const bool reached = skin_.rms <= options_.rms && skin_.worst <= options_.worst;
     if (reached || skin_.joints() >= options_.joints || ++rounds_ > 3) return true;
@@ -285,18 +219,8 @@ class SkinBuilder {
   }
 
   SkinOptions options_;
-  double diagonal_ = 0;
-  std::vector<Vec3<S>> rest_, frames_;
-  std::vector<Face> faces_;
-  std::vector<std::int32_t> first_;  // of each vertex: the one that it goes with, then its point
-  std::vector<detail::RigidMotion> roots_;
-
+  detail::MovingPoints<S> points_;
   Stage stage_ = Stage::gather;
-  std::vector<std::int32_t> point_;    // a vertex of each point
-  std::vector<Vec3<double>> at_rest_;  // of points
-  std::vector<std::size_t> looked_;    // frames that the fit looks at: every step_
-  std::size_t step_ = 1;
-  OneRing ring_;
   detail::SkinMatrix Y_;
   detail::Trajectories motion_, whole_;
   detail::SkinError goal_;
