@@ -6,7 +6,7 @@ set -u
 
 back_edges() {
   local rule
-  for rule in math:math mesh:'math|mesh' motion:'math|motion' deform:'math|mesh|deform' retarget:'math|motion|retarget' \
+  for rule in math:math mesh:'math|mesh' motion:'math|motion' deform:'math|mesh|deform' skin:'math|mesh|skin' retarget:'math|motion|retarget' \
     thesis:'math|mesh|motion|deform|retarget|thesis' scene:'math|mesh|motion|deform|retarget|scene'; do
     grep -rnE '#include +["<]rigless/' "$1/include/rigless/${rule%%:*}" 2>/dev/null |
       grep -vE "#include \"rigless/(${rule#*:})/(detail/)?[a-z0-9_]+\.h\""

@@ -123,6 +123,15 @@ struct SolidInfo {
   Number cell;      // edge of an element, metres
 };
 
+// Joints and weights for frames of a mesh.
+struct SkinInfo {
+  Number joints;   // J
+  Number frames;   // F
+  Number rms;      // of all vertices in all frames, in diagonals
+  Number worst;    // the same
+  Number normals;  // radians, rms
+};
+
 struct BakeRoot {
   Vector position;      // of the body's origin in the world
   Number yaw;           // radians

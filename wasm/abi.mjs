@@ -62,7 +62,7 @@ function describe() {
         .split("\n")
         .map((line) => field(name, line.trim())),
     }));
-  const functions = ["surface", "motion", "performance", "memory", "shape_analysis", "solid"].flatMap((file) => exported(`wasm/${file}.cpp`));
+  const functions = ["surface", "motion", "performance", "memory", "shape_analysis", "solid", "skin"].flatMap((file) => exported(`wasm/${file}.cpp`));
   return { enums, constants, structs, functions };
 }
 
@@ -225,6 +225,7 @@ export interface Row<T> {
   ...description.structs.map(structText),
   moduleText("RiglessExports", [memory, "wasm/surface.cpp", "wasm/motion.cpp", "wasm/performance.cpp"]),
   moduleText("ShapeAnalysisExports", [memory, "wasm/shape_analysis.cpp", "wasm/solid.cpp"]),
+  moduleText("SkinExports", [memory, "wasm/skin.cpp"]),
 ].join("\n");
 const constants = [
   note("Numbers and names that the core knows too."),

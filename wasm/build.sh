@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# wasm/build.sh OUTPUT: the core as one .wasm file, shape-analysis.wasm beside it, and what TypeScript knows of both
+# wasm/build.sh OUTPUT: the core as one .wasm file, shape-analysis.wasm and skin.wasm beside it, and what TypeScript knows of them
 # (abi.mjs). Surfaces are built for speed, motions for size. What must be inlined or held in vectors says so in its source: to
 # leave the compiler few choices of its own costs no speed (measured) and saves 30 kB. Performances are as fast by -O1 as by
 # -O2, four times as fast as by -Oz, and 2 kB larger than that. Who understands a mesh is not downloaded before there is one,
-# and ten times as fast as by -Oz.
+# and ten times as fast as by -Oz; who carves a skin, not before a dance is taken away.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 objects=$(mktemp -d)
@@ -15,10 +15,11 @@ link=(--no-entry -sALLOW_MEMORY_GROWTH=1 -sMALLOC=emmalloc -sFILESYSTEM=0)
 object() { em++ "${flags[@]}" "${@:2}" -c "wasm/$1.cpp" -o "$objects/$1.o" && echo "compiled wasm/$1.cpp"; }
 object memory -Oz
 analysis() { em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp wasm/solid.cpp "$objects/memory.o" "${link[@]}" -o "$objects/shape-analysis.wasm" && echo "compiled wasm/shape_analysis.cpp and wasm/solid.cpp"; }
-{ object performance -O1 && object motion -Oz; } & motions=$!
+skin() { em++ "${flags[@]}" -O2 wasm/skin.cpp "$objects/memory.o" "${link[@]}" -o "$objects/skin.wasm" && echo "compiled wasm/skin.cpp"; }
+{ object performance -O1 && object motion -Oz && skin; } & motions=$!
 { object surface -O2 -mllvm -inline-threshold=25 -fno-vectorize -fno-slp-vectorize && analysis; } & surfaces=$!
 wait $motions
 wait $surfaces
 em++ -Os "$objects"/{surface,performance,motion,memory}.o "${link[@]}" -o "$objects/rigless.wasm"
-mv "$objects/shape-analysis.wasm" "$(dirname "$1")/shape-analysis.wasm"
+mv "$objects/shape-analysis.wasm" "$objects/skin.wasm" "$(dirname "$1")"
 mv "$objects/rigless.wasm" "$1"

@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 const web = fileURLToPath(new URL("./", import.meta.url));
 const types = `${web}dist-node/types/`;
-const core = ["rigless.wasm", "shape-analysis.wasm"];
+const core = ["rigless.wasm", "shape-analysis.wasm", "skin.wasm"];
 const copies = ["README.md", "LICENSE"];
 
 const run = (program, ...args) => execFileSync(program, args, { cwd: web, stdio: ["ignore", process.stderr, process.stderr] });

@@ -30,7 +30,7 @@ export default defineConfig({
       name: "core",
       renderChunk: (code) => code.replace('new URL("./worker.ts"', 'new URL("./worker.js"'),
       generateBundle() {
-        for (const fileName of ["rigless.wasm", "shape-analysis.wasm"]) {
+        for (const fileName of ["rigless.wasm", "shape-analysis.wasm", "skin.wasm"]) {
           this.emitFile({ type: "asset", fileName, source: readFileSync(new URL(`src/engine/${fileName}`, import.meta.url)) });
         }
       },

@@ -26,3 +26,4 @@
 #include "rigless/scene/performance.h"
 #include "rigless/scene/performance_builder.h"
 #include "rigless/scene/staged_motion.h"
+#include "rigless/skin/skin_builder.h"

@@ -4,9 +4,10 @@ import { basename } from "node:path";
 
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
+import { buildSkinInNode } from "../../src/engine/skin-node";
 import type { Motion, MotionInput } from "../../src/engine/types";
 import type { FoundClip } from "../../src/io/clips/found-clip";
-import { everyFor, exportDance, sizeFault } from "../../src/io/export-dance";
+import { everyFor, exportDance, sayLikeness, sizeFault } from "../../src/io/export-dance";
 import { formatNamed, listed } from "../../src/io/formats";
 import { count } from "../../src/io/count";
 import type { Model } from "../../src/io/model";
@@ -182,13 +183,16 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
     if (command.out !== null) {
       progress.step("Writing");
       const name = document.name || motion.name.replace(/\.[^.]*$/, "");
-      const glb = await exportDance({ name, model, mesh: document.mesh, frames: baked.frames }, every, profile);
+      const tools = { buildSkin: buildSkinInNode, signal, onProgress: (done: number) => progress.step("Writing", done) };
+      const dance = { name, model, mesh: document.mesh, frames: baked.frames, points: document.points };
+      const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
       await outputs.add(command.out, glb);
       const kept = keptFrames(baked.frames.length, every).length;
       progress.done(
         `${command.out}: ${count(kept, "frame")}, ` +
           `${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
       );
+      if (likeness) progress.note(`${sayLikeness(likeness)}.`);
       if (profile.mostKept !== null && kept > profile.mostKept) {
         const enough = everyFor(baked.frames.length, profile);
         progress.note(`Some viewers take at most ${profile.mostKept} kept frames: --every ${enough} stays below.`);

@@ -2,7 +2,7 @@
 
 import type { ProjectDocument } from "../document/types";
 import type { Steps } from "../document/store";
-import type { Engine, MotionInput } from "../engine/types";
+import type { BuildSkin, Engine, MotionInput } from "../engine/types";
 import type { FoundClip } from "../io/clips/found-clip";
 import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
@@ -122,6 +122,8 @@ export interface Ports {
     files: readonly NamedFile[],
     options?: { signal?: AbortSignal; onProgress?: (done: number) => void },
   ) => Promise<FoundClip[]>;
+  /** As engine/build-skin.ts, wherever it runs. */
+  readonly buildSkin: BuildSkin;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;
 }

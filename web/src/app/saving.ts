@@ -3,7 +3,7 @@ import { isAbort } from "./aborts";
 import type { Context } from "./context";
 import { errorText } from "./error-words";
 import type { Jobs } from "./jobs";
-import type { FilesPort } from "./ports";
+import type { Ports } from "./ports";
 import type { Sources } from "./sources";
 
 /** From the document to files: the project and the animated model. */
@@ -12,7 +12,7 @@ export class Saving {
     private readonly context: Context,
     private readonly jobs: Jobs,
     private readonly sources: Sources,
-    private readonly files: Pick<FilesPort, "download">,
+    private readonly ports: Pick<Ports, "files" | "buildSkin">,
   ) {}
 
   async save(): Promise<void> {
@@ -21,7 +21,7 @@ export class Saving {
     try {
       const { projectFileName, saveProject } = await import("../io/project-file");
       const zip = saveProject(document, this.sources.filesOf(model, document.motion.files));
-      this.files.download(projectFileName(document), zip.slice(), "application/zip");
+      this.ports.files.download(projectFileName(document), zip.slice(), "application/zip");
       history.markSaved();
     } catch (error) {
       this.refuse("The project could not be saved.", error);
@@ -33,21 +33,21 @@ export class Saving {
     const { model: present, performance, document, notices } = this.context;
     const model = present && this.sources.of(present)?.model;
     if (!model || !performance) return;
-    const { name, mesh } = document;
+    const { name, mesh, points } = document;
     const steps = [`Play through ${figure(performance.frames)} frames`, "Write the file"];
     try {
       await this.jobs.run(`Exporting ${name}`, steps, async (job) => {
         const frames = await this.context.workspace.vertexFrames({ signal: job.signal, onProgress: job.progress });
         job.step(1);
-        const { everyFor, exportDance } = await import("../io/export-dance");
-        const every = everyFor(frames.length);
-        const glb = await exportDance({ name, model, mesh, frames }, every);
+        const { everyFor, exportDance, sayLikeness } = await import("../io/export-dance");
+        const tools = { buildSkin: this.ports.buildSkin, signal: job.signal, onProgress: job.progress };
+        const dance = { name, model, mesh, frames, points };
+        const { bytes: glb, likeness } = await exportDance(dance, everyFor(frames.length), tools);
         job.signal.throwIfAborted();
-        this.files.download(`${name}.glb`, glb.slice(), "model/gltf-binary");
-        const kept = every > 1 ? ` Every ${figure(every)} frames are one shape, so that all viewers can take it.` : "";
+        this.ports.files.download(`${name}.glb`, glb.slice(), "model/gltf-binary");
         notices.say({
           title: `${name}.glb is ${bytes(glb.length)}.`,
-          text: `It opens in Blender, Unity, Godot and on the web.${kept}`,
+          text: `It opens in Blender, Unity, Godot and on the web.${likeness ? ` ${sayLikeness(likeness)}.` : ""}`,
           icon: "save",
         });
       });

@@ -18,7 +18,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1227142437;
+export const ABI = 1446423520;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -103,6 +103,25 @@ export interface SolidInfo {
 }
 
 export const solidInfoRow: Row<SolidInfo> = { doubles: 4, read: (n) => ({ nodes: n[0], elements: n[1], edges: n[2], cell: n[3] }) };
+
+/** Joints and weights for frames of a mesh. */
+export interface SkinInfo {
+  /** J. */
+  joints: number;
+  /** F. */
+  frames: number;
+  /** Of all vertices in all frames, in diagonals. */
+  rms: number;
+  /** The same. */
+  worst: number;
+  /** Radians, rms. */
+  normals: number;
+}
+
+export const skinInfoRow: Row<SkinInfo> = {
+  doubles: 5,
+  read: (n) => ({ joints: n[0], frames: n[1], rms: n[2], worst: n[3], normals: n[4] }),
+};
 
 export interface BakeRoot {
   /** Of the body's origin in the world. */
@@ -429,4 +448,22 @@ export interface ShapeAnalysisExports {
   solid_first(): Pointer<Integers>;
   solid_neighbors(): Pointer<Integers>;
   solid_weights(): Pointer<Float32Array>;
+}
+
+export interface SkinExports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  abi(): number;
+  alloc(bytes: number): Pointer;
+  release(memory: Pointer): void;
+  begin_skin(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number, joints: number): PackedStatus;
+  add_skin_frame(positions: Pointer<Float32Array>): PackedStatus;
+  advance_skin(): number;
+  skin_progress(): number;
+  skin_info(): Pointer<SkinInfo>;
+  skin_centres(): Pointer<Float32Array>;
+  skin_joints(): Pointer<Integers>;
+  skin_weights(): Pointer<Float32Array>;
+  skin_roots(): Pointer<Float32Array>;
+  skin_poses(): Pointer<Float32Array>;
 }

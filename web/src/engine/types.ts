@@ -254,6 +254,35 @@ export interface CallOptions {
   onProgress?: (done: number) => void;
 }
 
+/** V vertices, F frames. */
+export interface SkinInput extends MeshInput {
+  /** V x 3 each, of all motions that share the skin. */
+  frames: readonly Float32Array[];
+  /** At most so many joints: the fewest that are like the frames to .13 % rms and .8 % in the worst place, if so many do. */
+  joints: number;
+}
+
+/** J joints. Errors are in diagonals of the box around the mesh. A pose is a quaternion x, y, z, w and a place. */
+export interface BuiltSkin {
+  /** J x 3, at rest. */
+  centres: Float32Array;
+  /** V x 4. */
+  joints: Uint8Array;
+  /** V x 4; four sum to one. */
+  weights: Float32Array;
+  /** F x 7, about the origin: comes after the joints. */
+  roots: Float32Array;
+  /** F x J x 7: p goes to turn (p - centre) + place. */
+  poses: Float32Array;
+  rms: number;
+  worst: number;
+  /** Radians, rms. */
+  normals: number;
+}
+
+/** Wherever it runs. Rejects with EngineError: bad_mesh, out_of_memory; on abort with the signal's reason. */
+export type BuildSkin = (input: SkinInput, options?: CallOptions) => Promise<BuiltSkin>;
+
 export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */
   setMesh(mesh: BoundMeshInput, options?: CallOptions): Promise<MeshReport>;

@@ -58,6 +58,7 @@ export interface GltfNode extends Known {
 }
 
 export interface GltfSkin extends Known {
+  skeleton?: number;
   joints: number[];
   inverseBindMatrices?: number;
 }

@@ -1,12 +1,12 @@
 // The one path from a dance's frames to a file.
 
-import { turnToStage } from "../document/stage-transform";
-import type { MeshRef } from "../document/types";
+import { pointToStage, turnToStage } from "../document/stage-transform";
+import type { MeshRef, Point } from "../document/types";
 import { stageFor } from "../sync/placement";
 import { meshInput } from "../sync/translate";
 import type { Model } from "./model";
 import { ModelError } from "./named-file";
-import type { Profile } from "./profile";
+import type { Likeness, Profile, Tools, Written } from "./profile";
 import { PROFILES } from "./profiles";
 import { keptFrames } from "./write-glb";
 
@@ -17,23 +17,34 @@ export interface Dance {
   readonly name: string;
   readonly model: Model;
   readonly mesh: MeshRef;
+  /** After which joints are named. */
+  readonly points?: readonly Pick<Point, "name" | "position">[];
   /** V x 3 each, world stage metres. */
   readonly frames: readonly { readonly positions: Float32Array }[];
 }
 
-/** Every `every`-th frame and the last one are kept. Errors (ModelError): the file would be too large. */
+/** Every `every`-th frame and the last one are kept. Errors (ModelError): the file would be too large; EngineError of the tools. */
 export async function exportDance(
-  { name, model, mesh, frames }: Dance,
+  { name, model, mesh, frames, points = [] }: Dance,
   every: number,
+  tools: Tools,
   profile: Profile = PROFILES[0],
-): Promise<Uint8Array<ArrayBuffer>> {
+): Promise<Written> {
   const tooLarge = sizeFault(model, frames.length, every, profile);
   if (tooLarge) throw new ModelError(`${name}.${profile.extension} ${tooLarge.text}.`);
-  const { document, drawn } = model;
+  const { document, drawn, faces } = model;
   const rest = meshInput(model, mesh).positions;
   const stage = stageFor(model, mesh);
   const turned = { ...drawn, normals: turnToStage(stage, drawn.normals) };
-  return profile.write({ name, document, drawn: turned, rest, frames, scale: 1 / stage.scale, every });
+  const places = points.map((point) => ({ name: point.name, position: pointToStage(stage, point.position) }));
+  return profile.write({ name, document, drawn: turned, faces, places, rest, frames, scale: 1 / stage.scale, every }, tools);
+}
+
+/** In words: how many joints there are, and how like the file is to the dance. */
+export function sayLikeness({ joints, rms, worst, normals }: Likeness): string {
+  const share = (of: number): string => `${(100 * of).toFixed(2)} %`;
+  const degrees = ((normals * 180) / Math.PI).toFixed(1);
+  return `${joints} joints; ${share(rms)} of the model's size off on average, ${share(worst)} in the worst place; light ${degrees} degrees off`;
 }
 
 /** The least step with which every viewer takes a dance of so many frames. */

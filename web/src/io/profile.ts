@@ -1,4 +1,24 @@
+import type { BuildSkin, CallOptions } from "../engine/types";
 import type { GlbInput } from "./write-glb";
+
+/** How like the file is to the dance: rms and worst in diagonals of the model at rest, normals in radians (rms). */
+export interface Likeness {
+  readonly rms: number;
+  readonly worst: number;
+  readonly normals: number;
+  readonly joints: number;
+}
+
+export interface Written {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Null where kept frames are exact. */
+  readonly likeness: Likeness | null;
+}
+
+/** What a profile may ask for beside the dance. */
+export interface Tools extends CallOptions {
+  readonly buildSkin: BuildSkin;
+}
 
 /** A kind of file that a dance is exported as. profiles.ts is the table of them. */
 export interface Profile {
@@ -10,5 +30,5 @@ export interface Profile {
   readonly mostKept: number | null;
   /** Bytes of a file with so many render vertices and kept frames, about. */
   readonly bytes: (vertices: number, kept: number) => number;
-  readonly write: (input: GlbInput) => Uint8Array<ArrayBuffer> | Promise<Uint8Array<ArrayBuffer>>;
+  readonly write: (input: GlbInput, tools: Tools) => Promise<Written>;
 }

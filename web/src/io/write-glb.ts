@@ -3,10 +3,10 @@
 
 import { FPS } from "../engine/types";
 import { dressBare } from "../gltf/bare";
-import type { GltfDocument } from "../gltf/document";
+import type { GltfAnimation, GltfDocument } from "../gltf/document";
 import type { Drawn } from "../gltf/drawn";
-import { bindNormals, writeNormals } from "../gltf/surface-normals";
-import { type NewPrimitive, packGlb, withGeometry } from "./gltf/write";
+import { ownOf, type Shape, Shapes } from "./drawn-shape";
+import { type NewMotion, type NewPrimitive, packGlb, type Put, withGeometry } from "./gltf/write";
 
 export interface GlbInput {
   /** The clip's and the mesh's name; spaces become underscores. */
@@ -14,6 +14,10 @@ export interface GlbInput {
   document: GltfDocument;
   /** Its normals in the stage's axes. */
   drawn: Drawn;
+  /** F x 3 over V. */
+  faces: Uint32Array;
+  /** Places on the rest model and what people call them, stage metres. */
+  places: readonly { readonly name: string; readonly position: readonly [number, number, number] }[];
   /** V x 3, stage metres. */
   rest: Float32Array;
   /** V x 3 each, world stage metres; frame f is at f / 30 s. */
@@ -43,15 +47,10 @@ export function glbBytes(vertices: number, kept: number): number {
  * pictures and whatever else the model's own file says stay.
  */
 export function writeGlb({ document, drawn, rest, frames, scale, every, ...input }: GlbInput): Uint8Array<ArrayBuffer> {
-  const name = input.name.trim().replace(/\s+/g, "_") || "dance";
+  const name = clipName(input.name);
   const kept = keptFrames(frames.length, every);
-  const binding = bindNormals(rest, drawn);
-  const shapeOf = (vertices: Float32Array): Shape => {
-    const normals = new Float32Array(drawn.positions.length);
-    writeNormals(binding, vertices, normals);
-    return { positions: onDrawn(drawn, vertices, scale), normals };
-  };
-  const start = shapeOf(rest);
+  const shapes = new Shapes(drawn, rest, scale);
+  const start = shapes.of(rest);
   const primitives = drawn.instances.map((instance): NewPrimitive & { targets: Shape[] } => ({
     instance,
     index: drawn.index.slice(instance.from, instance.to).map((r) => r - instance.first),
@@ -59,34 +58,30 @@ export function writeGlb({ document, drawn, rest, frames, scale, every, ...input
     targets: [],
   }));
   for (const f of kept) {
-    const shape = difference(shapeOf(frames[f].positions), start);
+    const shape = difference(shapes.of(frames[f].positions), start);
     for (const primitive of primitives) primitive.targets.push(ownOf(shape, primitive.instance));
   }
-  const targetNames = kept.map((f) => `frame_${f}`);
-  const times = Float32Array.from(kept, (f) => f / FPS);
-  const dressed = { ...document, json: dressBare(document.json) };
-  return packGlb(withGeometry(dressed, { name, primitives, targetNames, times }));
-}
-
-interface Shape {
-  /** N x 3. */
-  positions: Float32Array;
-  /** N x 3; null where faces are flat. */
-  normals: Float32Array | null;
-}
-
-function ownOf({ positions, normals }: Shape, { first, count, flat }: Drawn["instances"][number]): Shape {
-  const own = (values: Float32Array): Float32Array => values.slice(3 * first, 3 * (first + count));
-  return { positions: own(positions), normals: flat || !normals ? null : own(normals) };
-}
-
-/** R x 3 of V x 3 values. */
-function onDrawn({ toVertex }: Drawn, values: Float32Array, scale: number): Float32Array {
-  const out = new Float32Array(3 * toVertex.length);
-  toVertex.forEach((v, r) => {
-    for (let k = 0; k < 3; k++) out[3 * r + k] = scale * values[3 * v + k];
+  const mesh = { weights: kept.map(() => 0), extras: { targetNames: kept.map((f) => `frame_${f}`) } };
+  const motion = (put: Put, node: number): NewMotion => ({
+    nodes: [{ name, mesh: 0 }],
+    roots: [node],
+    animations: kept.length > 0 ? [oneAfterTheOther(name, put, node, timesOf(kept))] : [],
   });
-  return out;
+  return packGlb(withGeometry({ ...document, json: dressBare(document.json) }, { name, primitives, mesh, motion }));
+}
+
+/** Spaces become underscores. */
+export const clipName = (name: string): string => name.trim().replace(/\s+/g, "_") || "dance";
+
+/** Seconds of frames. */
+export const timesOf = (kept: readonly number[]): Float32Array => Float32Array.from(kept, (f) => f / FPS);
+
+/** Key k is target k alone. */
+function oneAfterTheOther(name: string, put: Put, node: number, times: Float32Array): GltfAnimation {
+  const weights = new Float32Array(times.length ** 2);
+  for (let k = 0; k < times.length; k++) weights[k * times.length + k] = 1;
+  const samplers = [{ input: put(times, "SCALAR", { bounded: true }), output: put(weights, "SCALAR"), interpolation: "LINEAR" }];
+  return { name, samplers, channels: [{ sampler: 0, target: { node, path: "weights" } }] };
 }
 
 function difference(a: Shape, b: Shape): Shape {

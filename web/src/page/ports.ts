@@ -17,5 +17,6 @@ export const ports: Ports = {
   createEngine: createBrowserEngine,
   readModel: readModelInWorker,
   readClips: readClipsInWorker,
+  buildSkin: async (...task) => (await import("../engine/skin-in-worker")).buildSkinInWorker(...task),
   calm: matchMedia("(prefers-reduced-motion: reduce)").matches,
 };

@@ -77,7 +77,7 @@ it("does what README.md says, as it is written there", async () => {
 
 describe("rigless bake", () => {
   it("makes a faultless GLB and a track of the cactus that comes with the page", async () => {
-    const run = await rigless("bake", cactus, "--out", "dance.glb", "--track", "track.json");
+    const run = await rigless("bake", cactus, "--out", "dance.glb", "--track", "track.json", "--profile", "morph");
     expect(run).toMatchObject({ code: 0, stdout: "" });
     const glb = bytesOf("dance.glb");
     const { issues } = await validateBytes(glb);
@@ -109,12 +109,23 @@ describe("rigless bake", () => {
     }
 
     // Fewer frames of the same dance, in the same bytes.
-    const again = await rigless("bake", cactus, "--out", "few.glb", "--track", "again.json", "--every", "10", "--quiet");
+    const again = await rigless("bake", cactus, "--out", "few.glb", "--track", "again.json", "--every", "10", "--profile", "morph", "-q");
     expect(again).toEqual({ code: 0, stdout: "", stderr: "" });
     expect(bytesOf("again.json")).toEqual(bytesOf("track.json"));
     const few = await playedFrame(bytesOf("few.glb"), 3);
     expect(few.targets).toBe(Math.ceil((track.frames - 1) / 10) + 1);
     expect(few.positions).toEqual((await playedFrame(glb, 30)).positions);
+  });
+
+  it("makes a small game character unless told otherwise, and says how like the dance it is", async () => {
+    const run = await rigless("bake", cactus, "--out", "game.glb");
+    expect(run.code).toBe(0);
+    expect(run.stderr).toMatch(
+      /\n.*\d+ joints; 0\.\d\d % of the model's size off on average, 0\.\d\d % in the worst place; light [\d.]+ degrees off\./,
+    );
+    expect((await validateBytes(bytesOf("game.glb"))).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+    expect((await openGlb(bytesOf("game.glb"))).json.skins).toHaveLength(1);
+    expect(bytesOf("game.glb").length).toBeLessThan(200_000);
   });
 
   it.skipIf(!hasShared)(
@@ -156,7 +167,7 @@ describe("rigless bake without a project", () => {
           Array.from(faces, (v) => v + 1),
         ),
     );
-    const run = await rigless("bake", "post.obj", HOP, "--out", "dance.glb", "--track", "track.json");
+    const run = await rigless("bake", "post.obj", HOP, "--out", "dance.glb", "--track", "track.json", "--profile", "morph");
     expect(run).toMatchObject({ code: 0, stdout: "" });
     expect(run.stderr).toContain("note: post.obj is taken to stand with +y up and to look along +z; its sides are alike.\n");
     expect(run.stderr).toContain(
@@ -313,7 +324,7 @@ describe("what cannot be done", () => {
     const slow =
       "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}\nMOTION\nFrames: 125\nFrame Time: 10\n" +
       Array.from({ length: 125 }, (_, f) => `0 ${f % 2} 0\n`).join("");
-    const anyway = ["bake", "project.json", "--out", "dance.glb", "--quiet", "--anyway"];
+    const anyway = ["bake", "project.json", "--out", "dance.glb", "--profile", "morph", "--quiet", "--anyway"];
     expect(await refused({ "hop.bvh": slow, "project.json": project({}) }, ...anyway)).toBe(
       "dance.glb would hold 5.5 GB, more than a GLB can: --every 2 keeps fewer of its 37,201 frames.",
     );
@@ -374,7 +385,9 @@ describe("what cannot be done", () => {
     expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--every", "0")).toBe(
       '--every should be a whole number from 1, but it is "0".',
     );
-    expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--profile", "no")).toBe('--profile should be morph, but it is "no".');
+    expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--profile", "no")).toBe(
+      '--profile should be game or morph, but it is "no".',
+    );
     expect(await refused({}, "bake", "a.json", "b.json", "--out", "a.glb")).toBe('bake takes one project; "b.json" is too much.');
     expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe(
       "bake needs a motion too: rigless bake a.obj motion.bvh --out dance.glb",

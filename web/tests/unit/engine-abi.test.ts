@@ -30,6 +30,7 @@ function declared(name: string): string[] {
 test.each([
   ["rigless.wasm", "RiglessExports"],
   ["shape-analysis.wasm", "ShapeAnalysisExports"],
+  ["skin.wasm", "SkinExports"],
 ])("%s exports what %s declares, and nothing else", (file, name) => {
   const exported = WebAssembly.Module.exports(new WebAssembly.Module(readFileSync(join(engine, file))))
     .filter(({ kind }) => kind === "function")

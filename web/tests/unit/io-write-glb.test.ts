@@ -22,6 +22,8 @@ function inputOf(model: Model, frames: number, more: Partial<GlbInput> = {}): Gl
     name: "my  dance",
     document: model.document,
     drawn: model.drawn,
+    faces: model.faces,
+    places: [],
     rest: model.positions,
     frames: wave(model, frames),
     scale: 1,

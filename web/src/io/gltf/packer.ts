@@ -3,29 +3,38 @@
 import type { Gltf, GltfAccessor, GltfBufferView } from "../../gltf/document";
 import { WIDTHS } from "../../gltf/accessors";
 
-type Values = Float32Array | Uint32Array | Uint16Array;
-type Type = "SCALAR" | "VEC2" | "VEC3" | "VEC4";
+export type Values = Float32Array | Uint32Array | Uint16Array | Int16Array | Uint8Array;
+export type AccessorType = "SCALAR" | "VEC2" | "VEC3" | "VEC4" | "MAT4";
 
 /** What a view is for, as WebGL counts it. */
 export const VERTICES = 34962;
 export const INDICES = 34963;
 
-interface PackOptions {
+export interface PackOptions {
   readonly target?: number;
   /** With its least and largest values, as glTF wants for positions and times. */
   readonly bounded?: boolean;
+  /** Whole numbers that stand for 0 to 1, or -1 to 1. */
+  readonly normalized?: boolean;
+}
+
+function componentOf(values: Values): number {
+  if (values instanceof Float32Array) return 5126;
+  if (values instanceof Uint32Array) return 5125;
+  if (values instanceof Uint16Array) return 5123;
+  return values instanceof Int16Array ? 5122 : 5121;
 }
 
 /** An accessor for all of `values`, which has a view of its own. */
 export function packAccessor(
   values: Values,
-  type: Type,
-  { target, bounded = false }: PackOptions,
+  type: AccessorType,
+  { target, bounded = false, normalized = false }: PackOptions,
 ): { accessor: GltfAccessor; view: GltfBufferView; bytes: Uint8Array } {
   const width = WIDTHS[type];
   const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
-  const componentType = values instanceof Float32Array ? 5126 : values instanceof Uint32Array ? 5125 : 5123;
-  const accessor: GltfAccessor = { componentType, count: values.length / width, type };
+  const count = values.length / width;
+  const accessor: GltfAccessor = { componentType: componentOf(values), ...(normalized && { normalized }), count, type };
   if (bounded) Object.assign(accessor, boundsOf(values, width));
   return { accessor, view: { buffer: 0, byteLength: bytes.length, ...(target !== undefined && { target }) }, bytes };
 }
@@ -58,7 +67,7 @@ export class Packer {
   }
 
   /** An accessor for all of `values`; its number. */
-  accessor(values: Values, type: Type, options: PackOptions): number {
+  accessor(values: Values, type: AccessorType, options: PackOptions): number {
     const { accessor, view, bytes } = packAccessor(values, type, options);
     return this.accessors.push({ ...accessor, bufferView: this.view(bytes, view) }) - 1;
   }

@@ -2,10 +2,10 @@
 // number, because extensions name things by number.
 
 import { COMPONENTS, WIDTHS } from "../../gltf/accessors";
-import type { Gltf, GltfAccessor, GltfBufferView, GltfDocument, GltfPrimitive } from "../../gltf/document";
+import type { Gltf, GltfAccessor, GltfBufferView, GltfDocument, GltfMesh, GltfNode, GltfPrimitive } from "../../gltf/document";
 import type { DrawnInstance } from "../../gltf/drawn";
 import { Numbered } from "./numbered";
-import { INDICES, packAccessor, VERTICES } from "./packer";
+import { type AccessorType, INDICES, packAccessor, type PackOptions, type Values, VERTICES } from "./packer";
 
 /** What takes the place of a primitive's own geometry. */
 export interface NewPrimitive {
@@ -17,42 +17,56 @@ export interface NewPrimitive {
   /** N x 3; null where faces are flat. */
   readonly normals: Float32Array | null;
   /** N x 3 each: what to add. */
-  readonly targets: readonly { readonly positions: Float32Array; readonly normals: Float32Array | null }[];
+  readonly targets?: readonly { readonly positions: Float32Array; readonly normals: Float32Array | null }[];
+  /** N x 4 each: what carries it. */
+  readonly skin?: { readonly joints: Uint8Array; readonly weights: Uint16Array };
+}
+
+/** Packs numbers into the document; the accessor's number. */
+export type Put = (values: Values, type: AccessorType, options?: PackOptions) => number;
+
+/** How the geometry hangs in the scene, and what moves it. */
+export interface NewMotion extends Pick<Gltf, "skins" | "animations"> {
+  /** Numbered from the one that is handed in; the first shows mesh 0. */
+  readonly nodes: GltfNode[];
+  /** Numbers of those that hang in the scene itself. */
+  readonly roots: number[];
 }
 
 export interface NewGeometry {
   /** The node's, the mesh's and the clip's. */
   readonly name: string;
   readonly primitives: readonly NewPrimitive[];
-  readonly targetNames: readonly string[];
-  /** Seconds of the keys; key k is target k alone. */
-  readonly times: Float32Array;
+  /** What of the mesh is not its primitives. */
+  readonly mesh?: Pick<GltfMesh, "weights" | "extras">;
+  readonly motion: (put: Put, node: number) => NewMotion;
 }
 
 /** Skins, animations and cameras of the file go. Its nodes stay only where an extension of the whole file may name them. */
-export function withGeometry(document: GltfDocument, { name, primitives, targetNames, times }: NewGeometry): GltfDocument {
+export function withGeometry(document: GltfDocument, { name, primitives, mesh, motion }: NewGeometry): GltfDocument {
   const { json } = document;
   const parts = new Parts(document);
-  const mesh = {
-    name,
-    primitives: primitives.map((primitive) => parts.primitive(primitive)),
-    weights: targetNames.map(() => 0),
-    extras: { targetNames },
-  };
+  const made = primitives.map((primitive) => parts.primitive(primitive));
   const named = json.extensions && Object.keys(json.extensions).some((key) => !key.startsWith("KHR_"));
   const nodes = named ? (json.nodes ?? []).map(({ mesh: _m, skin: _s, camera: _c, weights: _w, ...node }) => node) : [];
   const roots = named ? (json.scenes?.[json.scene ?? 0]?.nodes ?? []) : [];
   const { scenes: _0, scene: _1, skins: _2, animations: _3, cameras: _4, extensionsUsed: _5, extensionsRequired: _6, ...rest } = json;
   const images = parts.images();
+  const {
+    skins = [],
+    animations = [],
+    ...hung
+  } = motion((values, type, options = {}) => parts.put(packAccessor(values, type, options)), nodes.length);
   const next: Gltf = {
     ...rest,
     asset: { ...json.asset, version: "2.0", generator: "Rigless" },
     scene: 0,
-    scenes: [{ name, nodes: [nodes.length, ...roots] }],
-    nodes: [...nodes, { name, mesh: 0 }],
-    meshes: [mesh],
+    scenes: [{ name, nodes: [...hung.roots, ...roots] }],
+    nodes: [...nodes, ...hung.nodes],
+    meshes: [{ name, primitives: made, ...mesh }],
     ...(images.length > 0 && { images }),
-    ...(times.length > 0 && { animations: [parts.animation(name, nodes.length, times)] }),
+    ...(skins.length > 0 && { skins }),
+    ...(animations.length > 0 && { animations }),
     ...parts.json(),
   };
   const text = JSON.stringify({ ...next, accessors: [], bufferViews: [] });
@@ -90,7 +104,7 @@ class Parts {
     });
   }
 
-  primitive({ instance, index, positions, normals, targets }: NewPrimitive): GltfPrimitive {
+  primitive({ instance, index, positions, normals, targets = [], skin }: NewPrimitive): GltfPrimitive {
     const {
       attributes,
       indices: _0,
@@ -106,6 +120,10 @@ class Parts {
       attributes: {
         POSITION: vec3(positions, true),
         ...(normals && { NORMAL: vec3(normals) }),
+        ...(skin && {
+          JOINTS_0: this.put(packAccessor(skin.joints, "VEC4", { target: VERTICES })),
+          WEIGHTS_0: this.put(packAccessor(skin.weights, "VEC4", { target: VERTICES, normalized: true })),
+        }),
         // Tangents would have to turn with the surface; without them viewers make their own.
         ...Object.fromEntries(kept.map(([key, accessor]) => [key, this.attribute(key, accessor, instance)])),
       },
@@ -117,15 +135,6 @@ class Parts {
         })),
       }),
     };
-  }
-
-  animation(name: string, node: number, times: Float32Array): NonNullable<Gltf["animations"]>[number] {
-    const weights = new Float32Array(times.length ** 2);
-    for (let k = 0; k < times.length; k++) weights[k * times.length + k] = 1;
-    const input = this.put(packAccessor(times, "SCALAR", { bounded: true }));
-    const output = this.put(packAccessor(weights, "SCALAR", {}));
-    const samplers = [{ input, output, interpolation: "LINEAR" }];
-    return { name, samplers, channels: [{ sampler: 0, target: { node, path: "weights" } }] };
   }
 
   /** Pictures from beside the file and from addresses move into it. */
@@ -161,7 +170,7 @@ class Parts {
     return out;
   }
 
-  private put({ accessor, view, bytes }: ReturnType<typeof packAccessor>): number {
+  put({ accessor, view, bytes }: ReturnType<typeof packAccessor>): number {
     return this.accessors.add({ ...accessor, bufferView: this.view(view, bytes) });
   }
 

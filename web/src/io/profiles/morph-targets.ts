@@ -9,5 +9,5 @@ export const morphTargets: Profile = {
   // Viewers on WebGL 2 keep morph targets as layers of one texture, and 256 layers are all that the standard promises.
   mostKept: 256,
   bytes: glbBytes,
-  write: writeGlb,
+  write: async (input) => ({ bytes: writeGlb(input), likeness: null }),
 };

@@ -1,0 +1,29 @@
+// Joints and weights for a mesh that moves. Its module is made for one skin and dropped, and its memory with it.
+
+import { skinInfoRow } from "./abi";
+import { Heap } from "./heap";
+import { engineError } from "./messages";
+import type { BuiltSkin, SkinInput } from "./types";
+import { instantiateSkin } from "./wasm";
+
+/** `wasm`: the bytes of skin.wasm. Yields how far it is, 0..1. Errors (EngineError): bad_mesh, out_of_memory. */
+export function* buildSkin({ positions, faces, frames, joints }: SkinInput, wasm: ArrayBuffer): Generator<number, BuiltSkin> {
+  const module = instantiateSkin(wasm);
+  const heap = new Heap(module);
+  const check = (status: number): void => {
+    if (status !== 0) throw engineError(status, { kind: "mesh" });
+  };
+  check(heap.lend([positions, faces], ([at, facesAt]) => module.begin_skin(at, positions.length / 3, facesAt, faces.length / 3, joints)));
+  for (const frame of frames) check(heap.lend([frame], ([at]) => module.add_skin_frame(at)));
+  while (module.advance_skin() !== 0) yield module.skin_progress();
+  const { joints: count, frames: made, rms, worst, normals } = heap.read(skinInfoRow, module.skin_info());
+  const vertices = positions.length / 3;
+  return {
+    centres: heap.floats(module.skin_centres(), 3 * count),
+    joints: Uint8Array.from(heap.integers(module.skin_joints(), 4 * vertices)),
+    weights: heap.floats(module.skin_weights(), 4 * vertices),
+    roots: heap.floats(module.skin_roots(), 7 * made),
+    poses: heap.floats(module.skin_poses(), 7 * made * count),
+    ...{ rms, worst, normals },
+  };
+}

@@ -1,0 +1,20 @@
+import type { Profile } from "../profile";
+import { skinnedBytes, writeSkinned } from "../write-skinned";
+
+/** So many every engine takes. */
+const MOST_JOINTS = 64;
+
+/** Core glTF 2.0 as engines expect a character to be. */
+export const gameCharacter: Profile = {
+  id: "game",
+  words: "a skeleton of its own, for games",
+  extension: "glb",
+  mostKept: null,
+  bytes: skinnedBytes,
+  write: async (input, { buildSkin, ...call }) => {
+    const frames = input.frames.map(({ positions }) => positions);
+    const skin = await buildSkin({ positions: input.rest, faces: input.faces, frames, joints: MOST_JOINTS }, call);
+    const { rms, worst, normals, centres } = skin;
+    return { bytes: writeSkinned(input, skin), likeness: { rms, worst, normals, joints: centres.length / 3 } };
+  },
+};

@@ -1,0 +1,142 @@
+// A GLB with a skin: few joints under one that carries the whole body, as games want it. Core glTF 2.0.
+
+import { dressBare } from "../gltf/bare";
+import type { GltfAnimation, GltfNode } from "../gltf/document";
+import type { BuiltSkin } from "../engine/types";
+import type { DrawnInstance } from "../gltf/drawn";
+import { ownOf, Shapes } from "./drawn-shape";
+import { type NewMotion, packGlb, type Put, withGeometry } from "./gltf/write";
+import { clipName, type GlbInput, keptFrames, timesOf } from "./write-glb";
+
+/** Bytes of a file with so many render vertices and kept frames, about. */
+export function skinnedBytes(vertices: number, kept: number): number {
+  return 56 * vertices + 20 * 24 * kept;
+}
+
+/** Y up, facing +Z, in the model's own units; travel and turn are the root joint's. The file's own skin and clips make way. */
+export function writeSkinned(
+  { document, drawn, rest, frames, scale, every, places, ...input }: GlbInput,
+  skin: BuiltSkin,
+): Uint8Array<ArrayBuffer> {
+  const name = clipName(input.name);
+  const start = new Shapes(drawn, rest, scale).of(rest);
+  const weights = wholeWeights(skin.weights);
+  const primitives = drawn.instances.map((instance) => ({
+    instance,
+    index: drawn.index.slice(instance.from, instance.to).map((r) => r - instance.first),
+    ...ownOf(start, instance),
+    skin: {
+      joints: fours(skin.joints, drawn.toVertex, instance, (n) => new Uint8Array(n)),
+      weights: fours(weights, drawn.toVertex, instance, (n) => new Uint16Array(n)),
+    },
+  }));
+  const motion = (put: Put, node: number): NewMotion => {
+    const count = skin.centres.length / 3;
+    const centres = Array.from({ length: count }, (_, j) => [...skin.centres.subarray(3 * j, 3 * j + 3)].map((x) => x * scale));
+    const names = namesOf(skin.centres, places);
+    const root = node + 1;
+    const joints = centres.map((_, j) => root + 1 + j);
+    const nodes: GltfNode[] = [
+      { name, mesh: 0, skin: 0 },
+      { name: "root", children: joints },
+      ...centres.map((translation, j) => ({ name: names[j], translation })),
+    ];
+    const inverse = new Float32Array(16 * count);
+    centres.forEach((centre, j) => {
+      for (let k = 0; k < 4; k++) inverse[16 * j + 5 * k] = 1;
+      for (let k = 0; k < 3; k++) inverse[16 * j + 12 + k] = -centre[k];
+    });
+    const skins = [{ name, skeleton: root, joints, inverseBindMatrices: put(inverse, "MAT4") }];
+    const kept = keptFrames(frames.length, every);
+    const clip = new Clip(name, put, kept, scale);
+    clip.add(root, skin.roots, 7, 0, [0, 0, 0]);
+    centres.forEach((centre, j) => clip.add(joints[j], skin.poses, 7 * count, 7 * j, centre));
+    return { nodes, roots: [node, root], skins, animations: kept.length > 0 ? [clip.animation()] : [] };
+  };
+  return packGlb(withGeometry({ ...document, json: dressBare(document.json) }, { name, primitives, motion }));
+}
+
+/** Sixteen bits each, and each four still sum to one. */
+function wholeWeights(weights: Float32Array): Uint16Array {
+  const out = Uint16Array.from(weights, (w) => Math.round(w * 65535));
+  for (let v = 0; v < out.length; v += 4) {
+    let heaviest = v;
+    let left = 65535;
+    for (let k = v; k < v + 4; k++) {
+      left -= out[k];
+      if (out[k] > out[heaviest]) heaviest = k;
+    }
+    out[heaviest] += left;
+  }
+  return out;
+}
+
+/** Four numbers for each vertex of one draw call. */
+function fours<T extends Uint8Array | Uint16Array>(
+  values: T,
+  toVertex: Uint32Array,
+  { first, count }: DrawnInstance,
+  make: (length: number) => T,
+): T {
+  const out = make(4 * count);
+  for (let r = 0; r < count; r++) for (let k = 0; k < 4; k++) out[4 * r + k] = values[4 * toVertex[first + r] + k];
+  return out;
+}
+
+/** Each joint after the nearest place; those of one place are numbered. */
+function namesOf(centres: Float32Array, places: GlbInput["places"]): string[] {
+  const taken = new Map<string, number>([["root", 1]]);
+  return Array.from({ length: centres.length / 3 }, (_, j) => {
+    const away = ({ position }: GlbInput["places"][number]): number => Math.hypot(...position.map((x, k) => x - centres[3 * j + k]));
+    const nearest = places.reduce<GlbInput["places"][number] | null>((a, b) => (a && away(a) <= away(b) ? a : b), null);
+    const name = clipName(nearest?.name ?? "joint");
+    const n = (taken.get(name) ?? 0) + 1;
+    taken.set(name, n);
+    return n === 1 ? name : `${name}_${n}`;
+  });
+}
+
+/** Turns by less than a step of a short, and ways of less than this share of the model's height, are none. */
+const STILL = 3e-5;
+
+class Clip {
+  private readonly channels: unknown[] = [];
+  private readonly samplers: { input: number; output: number; interpolation: string }[] = [];
+  private times: number | null = null;
+
+  constructor(
+    private readonly name: string,
+    private readonly put: Put,
+    private readonly kept: readonly number[],
+    private readonly scale: number,
+  ) {}
+
+  /** Tracks of one node, of poses that begin at `from` in rows of `stride`; none for what stays as it is at rest. */
+  add(node: number, poses: Float32Array, stride: number, from: number, rest: readonly number[]): void {
+    const turns = new Int16Array(4 * this.kept.length);
+    const ways = new Float32Array(3 * this.kept.length);
+    let turned = 0;
+    let moved = 0;
+    this.kept.forEach((f, n) => {
+      const at = f * stride + from;
+      for (let k = 0; k < 4; k++) turns[4 * n + k] = Math.round(32767 * poses[at + k]);
+      for (let k = 0; k < 3; k++) {
+        turned = Math.max(turned, Math.abs(poses[at + k]));
+        ways[3 * n + k] = this.scale * poses[at + 4 + k];
+        moved = Math.max(moved, Math.abs(ways[3 * n + k] - rest[k]) / this.scale);
+      }
+    });
+    if (turned > STILL) this.track(node, "rotation", this.put(turns, "VEC4", { normalized: true }));
+    if (moved > STILL) this.track(node, "translation", this.put(ways, "VEC3"));
+  }
+
+  animation(): GltfAnimation {
+    return { name: this.name, samplers: this.samplers, channels: this.channels };
+  }
+
+  private track(node: number, path: "rotation" | "translation", output: number): void {
+    this.times ??= this.put(timesOf(this.kept), "SCALAR", { bounded: true });
+    this.channels.push({ sampler: this.samplers.length, target: { node, path } });
+    this.samplers.push({ input: this.times, output, interpolation: "LINEAR" });
+  }
+}

@@ -1,0 +1,165 @@
+import { validateBytes } from "gltf-validator";
+import { AnimationMixer, type SkinnedMesh, Vector3 } from "three";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { expect, it } from "vitest";
+
+import { buildSkinInNode } from "../../src/engine/skin-node";
+import type { BuiltSkin } from "../../src/engine/types";
+import type { Model } from "../../src/io/model";
+import { readModel } from "../../src/io/read-model";
+import { type GlbInput, keptFrames } from "../../src/io/write-glb";
+import { writeSkinned } from "../../src/io/write-skinned";
+import { PNG, textFile } from "../support/files";
+import { laidOn, openGlb, valuesOf } from "../support/gltf";
+
+const ROWS = 25;
+const HEIGHT = 2;
+
+/** A post of two materials, with a seam between them; the upper one may have a picture, which three.js loads only in a page. */
+function post(picture = false): Promise<Model> {
+  const lines = ["mtllib p.mtl"];
+  for (let r = 0; r < ROWS; r++)
+    for (const [x, z] of [
+      [1, 1],
+      [-1, 1],
+      [-1, -1],
+      [1, -1],
+    ])
+      lines.push(`v ${0.2 * x} ${(HEIGHT * r) / (ROWS - 1)} ${0.2 * z}`);
+  lines.push("vt 0 0", "vt 1 0", "vt 1 1", "vt 0 1");
+  for (let r = 0; r + 1 < ROWS; r++) {
+    if (r === 0 || r === 12) lines.push(`usemtl ${r === 0 ? "low" : "high"}`);
+    for (let k = 0; k < 4; k++) {
+      const [a, b] = [4 * r + k + 1, 4 * r + ((k + 1) % 4) + 1];
+      lines.push(`f ${a}/1 ${b}/2 ${b + 4}/3 ${a + 4}/4`);
+    }
+  }
+  const mtl = `newmtl low\nKd 1 0 0\nnewmtl high\n${picture ? "map_Kd skin.png" : "Kd 0 1 0"}\n`;
+  return readModel([textFile("p.obj", lines.join("\n")), textFile("p.mtl", mtl), { name: "skin.png", bytes: PNG }]);
+}
+
+/** It bends in the middle while it goes and turns. */
+function bent({ positions }: Model, frames: number): { positions: Float32Array }[] {
+  return Array.from({ length: frames }, (_, f) => {
+    const out = new Float32Array(positions.length);
+    for (let i = 0; i < out.length; i += 3) {
+      const [x, y, z] = positions.subarray(i, i + 3);
+      const much = Math.min(1, Math.max(0, (y - 0.7) / 0.6));
+      const bend = Math.sin(0.4 * f);
+      const [by, bz] = [1 + (y - 1) * Math.cos(bend) - z * Math.sin(bend), (y - 1) * Math.sin(bend) + z * Math.cos(bend)];
+      const [ly, lz] = [y + much * (by - y), z + much * (bz - z)];
+      const [c, s] = [Math.cos(0.2 * f), Math.sin(0.2 * f)];
+      out.set([c * x + s * lz + 0.1 * f, ly, -s * x + c * lz], i);
+    }
+    return { positions: out };
+  });
+}
+
+async function made(
+  model: Model,
+  frames: number,
+  more: Partial<GlbInput> = {},
+): Promise<{ input: GlbInput; skin: BuiltSkin; glb: Uint8Array<ArrayBuffer> }> {
+  const input: GlbInput = {
+    name: "my dance",
+    ...{ document: model.document, drawn: model.drawn, faces: model.faces, rest: model.positions },
+    places: [
+      { name: "Left hand", position: [0, 2, 0] },
+      { name: "Base", position: [0, 0, 0] },
+    ],
+    frames: bent(model, frames),
+    ...{ scale: 1, every: 1 },
+    ...more,
+  };
+  const skin = await buildSkinInNode({
+    positions: input.rest,
+    faces: input.faces,
+    frames: input.frames.map((f) => f.positions),
+    joints: 64,
+  });
+  return { input, skin, glb: writeSkinned(input, skin) };
+}
+
+/** The largest way between what three.js plays and the frames, in diagonals of the model at rest. */
+async function played(glb: Uint8Array<ArrayBuffer>, model: Model, { frames, every, scale }: GlbInput): Promise<number> {
+  const { scene, animations } = await new GLTFLoader().parseAsync(glb.buffer, "");
+  const meshes: SkinnedMesh[] = [];
+  scene.traverse((object) => void ("isSkinnedMesh" in object && meshes.push(object as SkinnedMesh)));
+  expect(meshes).toHaveLength(model.drawn.instances.length);
+  const mixer = new AnimationMixer(scene);
+  mixer.clipAction(animations[0]).play();
+  let worst = 0;
+  for (const f of keptFrames(frames.length, every)) {
+    mixer.setTime(Math.min(f / 30, animations[0].duration - 1e-7));
+    scene.updateMatrixWorld(true);
+    meshes.forEach((mesh, m) => {
+      mesh.skeleton.update();
+      const { first, count } = model.drawn.instances[m];
+      for (let r = 0; r < count; r++) {
+        const at = mesh.getVertexPosition(r, new Vector3()).divideScalar(scale);
+        const v = 3 * model.drawn.toVertex[first + r];
+        const wanted = frames[f].positions;
+        worst = Math.max(worst, at.distanceTo(new Vector3(wanted[v], wanted[v + 1], wanted[v + 2])));
+      }
+    });
+  }
+  return worst / Math.hypot(0.4, HEIGHT, 0.4);
+}
+
+it("is faultless, and plays every frame in three.js as like as it says", async () => {
+  const model = await post();
+  const { input, skin, glb } = await made(model, 40);
+  expect(skin.rms).toBeLessThanOrEqual(0.0013);
+  expect(skin.worst).toBeLessThanOrEqual(0.008);
+  const { issues } = await validateBytes(glb);
+  expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+  const worst = await played(glb, model, input);
+  expect(Math.abs(worst - skin.worst)).toBeLessThan(2e-4);
+});
+
+it("keeps kept frames alone, and the model's own size", async () => {
+  const model = await post();
+  const { input, skin, glb } = await made(model, 21, { every: 4, scale: 100 });
+  expect(await played(glb, model, input)).toBeLessThan(skin.worst + 2e-4);
+  const written = await openGlb(glb);
+  expect(written.json.accessors![written.json.animations![0].samplers[0].input].count).toBe(6);
+});
+
+it("keeps materials, pictures and their places", async () => {
+  const model = await post(true);
+  const written = await openGlb((await made(model, 5)).glb);
+  expect(written.images).toEqual(model.document.images);
+  expect(written.json.materials).toEqual(model.document.json.materials);
+  expect(valuesOf(written, "TEXCOORD_0")).toEqual(laidOn(model, "TEXCOORD_0", 2));
+});
+
+it("names joints after the places that they are nearest to, and flat under one root", async () => {
+  const model = await post();
+  const { skin, glb } = await made(model, 30);
+  const { nodes = [], skins = [], animations = [] } = (await openGlb(glb)).json;
+  const names = skins[0].joints.map((n) => nodes[n].name ?? "");
+  expect(names).toHaveLength(skin.centres.length / 3);
+  expect(new Set(names).size).toBe(names.length);
+  for (const name of names) expect(name).toMatch(/^(Left_hand|Base)(_\d+)?$/);
+  expect(nodes[skins[0].skeleton!]).toMatchObject({ name: "root", children: skins[0].joints });
+  expect(animations.map(({ name }) => name)).toEqual(["my_dance"]);
+});
+
+it("has tracks only for what moves", async () => {
+  const model = await post();
+  const rest = { positions: model.positions };
+  const { skin, glb } = await made(model, 0, { frames: [rest, { positions: model.positions.map((x, i) => (i % 3 === 0 ? x + 1 : x)) }] });
+  expect(skin.centres).toHaveLength(3);
+  expect((await openGlb(glb)).json.animations![0].channels).toEqual([{ sampler: 0, target: { node: 1, path: "translation" } }]);
+});
+
+it("ends on abort, and says what is no mesh", async () => {
+  const model = await post();
+  const task = { positions: model.positions, faces: model.faces, frames: bent(model, 10).map((f) => f.positions), joints: 64 };
+  const stop = new AbortController();
+  await expect(buildSkinInNode(task, { signal: stop.signal, onProgress: () => stop.abort() })).rejects.toMatchObject({
+    name: "AbortError",
+  });
+  const bad = { ...task, frames: [model.positions.with(4, NaN)] };
+  await expect(buildSkinInNode(bad)).rejects.toMatchObject({ code: "bad_mesh" });
+});
