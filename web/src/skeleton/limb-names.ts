@@ -21,6 +21,7 @@ const HELPERS = set(
 const WINGS = set("wing wings fin fins flipper flippers");
 const FEET = set("foot feet paw paws hoof hooves ankle");
 const LEGS = new Set([...FEET, ...set("leg legs knee thigh shin")]);
+const OF_HEADS = set("mouth jaw muzzle snout beak");
 const ON_HEADS = set("ear ears hair bang bun hat cap helmet horn horns antler antlers antenna tongue");
 const WHICH = new Map<string, string>(
   Object.entries({ front: "front fore", mid: "mid middle", back: "back rear hind", top: "top", bottom: "bottom" }).flatMap(
@@ -53,7 +54,7 @@ function limbOf(words: readonly string[], { side, part }: { side: Side; part: Bo
     return { ...of("leg", which), part: has(FEET) ? "foot" : part === "finger" ? null : part };
   }
   if (side !== null && (OF_LEGS.has(part) || OF_ARMS.has(part))) return of(OF_LEGS.has(part) ? "leg" : "arm");
-  return of(part === "head" && !has(ON_HEADS) ? "head" : null);
+  return of((part === "head" || (part === null && side === null && has(OF_HEADS))) && !has(ON_HEADS) ? "head" : null);
 }
 
 /** Whether what hangs on a head is no part of it. */

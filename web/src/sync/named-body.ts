@@ -78,6 +78,7 @@ class NamedBodyReader {
     for (const group of groups.values()) {
       const limb = this.limbOf(group);
       const { kind, part } = this.names[group[0]];
+      if (kind === "arm" && group.every((j) => this.names[j].part === "finger")) continue; // of a foot that is called a hand
       if (kind === "arm" && part === "upper_arm" && limb.end === limb.base) continue; // a shoulder alone, as wings hang on
       this.limbs.push(limb);
     }
@@ -221,7 +222,7 @@ class NamedBodyReader {
     }
     for (const j of this.heads) mark("head", this.at(j));
     this.names.forEach(({ kind }, j) => {
-      if (kind !== "helper" && !this.heads.includes(j)) mark("tip", this.at(j));
+      if (kind !== "helper" && !this.heads.includes(j)) mark(kind === "tail" ? "tail" : "tip", this.at(j));
     });
     return marks;
   }

@@ -114,3 +114,35 @@ describe("with a model", () => {
     expect(model.positions[3 * (head?.vertex ?? 0)]).toBeGreaterThan(1.5);
   });
 });
+
+describe("bodies without legs", () => {
+  const joint = (name: string, parent: number | null, position: Place) => ({ name, parent, position });
+
+  it("have their tail told, and a mouth is of the head", () => {
+    const joints = [
+      joint("Body", null, [0, 0.3, 0]),
+      joint("Head", 0, [0, 0.9, 0]),
+      joint("LowerMouth", 0, [0, 0.9, 0.3]),
+      joint("Tail1", 0, [0, 0.1, -0.3]),
+      joint("Tail2", 3, [0, 0.1, -0.6]),
+    ];
+    const places = joints.map(({ position }) => position);
+    const snake = readNamedBody(joints, boxOf(places, 0.04), "y_up");
+    expect(snake?.landmarks.map(({ role }) => role).sort()).toEqual(["head", "head", "tail", "tail", "tip"]);
+  });
+
+  it("have no hands where only the feet's thumbs are named", () => {
+    const legs = (["L", "R"] as const).flatMap((side, k) => {
+      const x = k === 0 ? 0.3 : -0.3;
+      return [
+        joint(`rear_upper_leg.${side}`, 0, [x, 0.4, -0.3]),
+        joint(`rear_lower_leg.${side}`, 1 + 3 * k, [x, 0.1, -0.3]),
+        joint(`rear_thumb_1.${side}`, 0, [x, 0.02, -0.3]),
+      ];
+    });
+    const beetle = said([joint("body", null, [0, 0.4, 0]), ...legs, joint("head", 0, [0, 0.5, 0.5])]);
+    const roles = beetle?.landmarks.map(({ role }) => role);
+    expect(roles).toContain("foot");
+    expect(roles).not.toContain("hand");
+  });
+});

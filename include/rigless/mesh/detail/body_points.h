@@ -1,8 +1,9 @@
 // Where a stranger's model should be held: its head, hands, feet and trunk, told apart by where they are.
 #pragma once
 
-#include "rigless/mesh/detail/body_tips.h"
-#include "rigless/mesh/detail/limb.h"
+#include "rigless/mesh/detail/body_arms.h"
+#include "rigless/mesh/detail/body_head.h"
+#include "rigless/mesh/detail/body_legs.h"
 
 namespace rigless::detail {
 
@@ -22,16 +23,18 @@ class BodyReader {
     if (body_.graph.size() == 0) return {};
     tips_ = find_tips<S>(body_, average_);
     center_ = static_cast<std::int32_t>(std::min_element(average_.begin(), average_.end()) - average_.begin());
-    head_ = find_head();
     for (const Landmark<S>& hand : named_)
       if (hand.role == BodyRole::hand) add(take(hand), BodyRole::hand, true, hand.side);
     if (is_named(BodyRole::foot)) {
       add_named_feet();
     } else {
       add_feet();
-      if (!is_named(BodyRole::hand)) add_hands();
     }
+    tails_ = find_tails(body_, tips_);
+    head_ = HeadFinder<S>(body_, tails_, named_).find(swims_);
+    if (!is_named(BodyRole::foot) && !is_named(BodyRole::hand)) add_hands();
     add(head_, BodyRole::head, true, 0);
+    if (swims_) add_tail();
     add_trunk();
     add_bends();
     add_rest();
@@ -60,6 +63,12 @@ class BodyReader {
         return is_limb(other) && &other != &landmark && off(p, other) < off(p, landmark);
       });
     };
+    if (landmark.role == BodyRole::hand && std::abs(landmark.position.x()) < S(0.15)) {
+      if (Tip<S>* end = end_of(landmark)) {
+        end->used = true;
+        return end->node;
+      }
+    }
     Tip<S>* tip = nullptr;
     S nearest = S(0.1);
     for (Tip<S>& t : tips_) {
@@ -74,39 +83,19 @@ class BodyReader {
     return tip->node;
   }
 
+  // Of a wing that is one joint long: the most prominent tip, far away, of a limb that begins there.
+  Tip<S>* end_of(const Landmark<S>& base) {
+    for (Tip<S>& t : tips_) {
+      const Limb<S> limb = find_limb(body_.graph, t.node, S(0.7) * body_.tall);
+      const bool begins =
+          (body_.stand(limb.base) - base.position).norm() < S(0.15) && limb.length > S(1.5) * limb.girth;
+      const bool far = (body_.place(t.node) - base.position).norm() > S(0.3);
+      if (!t.used && begins && far && body_.place(t.node).x() * static_cast<S>(base.side) > S(0)) return &t;
+    }
+    return nullptr;
+  }
+
   static bool is_limb(const Landmark<S>& one) { return one.role == BodyRole::hand || one.role == BodyRole::foot; }
-
-  // Nodes that are nearer to another named place than to the head; none where no head is named or nothing is left.
-  std::vector<char> beside_head() const {
-    std::vector<char> beside(body_.places.size(), 0);
-    if (!is_named(BodyRole::head)) return beside;
-    for (std::size_t i = 0; i < body_.places.size(); ++i) {
-      const auto off = [&](const Landmark<S>& one) { return (one.position - body_.places[i]).squaredNorm(); };
-      const auto nearest =
-          std::min_element(named_.begin(), named_.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
-      beside[i] = nearest->role == BodyRole::head ? 0 : 1;
-    }
-    if (std::find(beside.begin(), beside.end(), 0) == beside.end()) beside.assign(body_.places.size(), 0);
-    return beside;
-  }
-
-  // High, in front and in the middle; not a crest, a horn or the tip of a hat, which are thin.
-  std::int32_t find_head() const {
-    const std::vector<char> beside = beside_head();
-    std::vector<char> thin(body_.places.size(), 0);
-    std::int32_t head = center_;
-    for (int tries = 0; tries < 6; ++tries) {
-      head = body_.best_middle([&](const Vec3<S>& p) {
-        return p.y() + S(0.4) * p.z() - S(0.5) * std::abs(p.x()) - (thin[body_.index(p)] != 0 ? S(20) : S(0)) -
-               (beside[body_.index(p)] != 0 ? S(40) : S(0));
-      });
-      const S thick = body_.thickness(head);
-      if (thick >= S(0.055) * body_.tall) break;
-      for (const auto& reached : vertices_within<S>(body_.graph.position, body_.graph.ring, head, S(2) * thick))
-        nth(thin, reached.vertex) = 1;
-    }
-    return head;
-  }
 
   // A head keeps its shape as a whole, faces being what one looks at.
   void add(std::int32_t node, BodyRole role, bool wanted, std::int32_t side) {
@@ -119,17 +108,11 @@ class BodyReader {
     points_.push_back({node, role, side, -1, radius, wanted});
   }
 
-  // Tips on the ground, by pairs; those before the middle are forelegs. A body without any stands on the edges of its
-  // base.
+  // Legs by pairs; those before the middle are forelegs. A body without any stands on the edges of its base, unless it
+  // lies on its belly.
   void add_feet() {
-    std::vector<std::size_t> feet;
+    const std::vector<std::size_t> feet = LegFinder<S>(body_, tips_).find();
     S middle = 0;
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
-      if (tips_[t].used || body_.place(tips_[t].node).y() > S(0.12) || tips_[t].partner < 0) continue;
-      if (body_.place(nth(tips_, tips_[t].partner).node).y() > S(0.12)) continue;
-      feet.push_back(t);
-    }
-    if (feet.empty()) feet = four_feet();
     for (const std::size_t t : feet) middle += body_.place(tips_[t].node).z();
     legs_ = feet.size();
     for (const std::size_t t : feet) {
@@ -137,7 +120,9 @@ class BodyReader {
       tips_[t].used = true;
       add(tips_[t].node, fore ? BodyRole::foreleg : BodyRole::foot, true, side_of(tips_[t]));
     }
-    if (legs_ > 0) return;
+    if (legs_ == 2) add_near_forelegs(middle / S(2));
+    swims_ = legs_ == 0 && (body_.lies() || is_named(BodyRole::tail));
+    if (legs_ > 0 || swims_) return;
     for (const S sign : {S(1), S(-1)})
       add(body_.best_node([&](const Vec3<S>& p) {
         return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
@@ -145,20 +130,20 @@ class BodyReader {
           BodyRole::foot, true, sign > S(0) ? 1 : -1);
   }
 
-  // Of a body that gallops or looks round, whose legs are no mirror images: the ends of four slender limbs that hang.
-  std::vector<std::size_t> four_feet() {
-    std::vector<std::size_t> feet;
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
-      const Limb<S> limb = find_limb(body_.graph, tips_[t].node, S(0.7) * body_.tall);
-      const S rise = body_.posture.up.dot(limb.base - nth(body_.graph.position, tips_[t].node));
-      if (body_.place(tips_[t].node).y() < S(0.3) && limb.length > S(1.3) * limb.girth && rise > S(0.45) * limb.length)
-        feet.push_back(t);
+  // Forelegs side by side end in one tip, far before the hind legs.
+  void add_near_forelegs(S hind) {
+    for (Tip<S>& tip : tips_) {
+      const Vec3<S> end = body_.place(tip.node);
+      if (tip.used || tip.partner >= 0 || std::abs(end.x()) > S(2) * body_.middle) continue;
+      if (end.y() > S(0.12) || end.z() < hind + S(0.35)) continue;
+      tip.used = true;
+      legs_ = 4;
+      for (const S sign : {S(1), S(-1)})
+        add(body_.best_node(
+                [&](const Vec3<S>& p) { return sign * p.x() - p.y() - ((p - end).norm() > S(0.12) ? S(10) : S(0)); }),
+            BodyRole::foreleg, true, sign > S(0) ? 1 : -1);
+      return;
     }
-    if (feet.size() != 4) return {};
-    const auto at = [&](std::size_t t) -> const Vec3<S>& { return body_.place(tips_[t].node); };
-    std::sort(feet.begin(), feet.end(), [&](std::size_t a, std::size_t b) { return at(a).z() < at(b).z(); });
-    for (std::size_t k = 0; k < 4; ++k) tips_[feet[k]].partner = static_cast<std::int32_t>(feet[k ^ 1]);
-    return feet;
   }
 
   void add_named_feet() {
@@ -175,29 +160,48 @@ class BodyReader {
     }
   }
 
-  // The most prominent pair that is no ears and no horns: slender, else well nearer to the middle than to the head.
   void add_hands() {
-    const std::vector<S> from_head = node_distances(body_.graph, head_),
-                         from_center = node_distances(body_.graph, center_);
-    const auto is_arm = [&](const Tip<S>& t, bool slender) {
-      const auto node = to_size(t.node);
-      if (t.used || from_head[node] < (slender ? S(0.75) : S(0.9)) * from_center[node]) return false;
-      if (!slender) return true;
-      const Limb<S> limb = find_limb(body_.graph, t.node, S(0.7) * body_.tall);
-      return limb.length > S(0.3) * body_.tall && limb.length > S(2) * limb.girth;
-    };
-    for (const bool slender : {true, false}) {
-      for (std::size_t t = 0; t < tips_.size() && legs_ < 4; ++t) {
-        if (tips_[t].partner < 0) continue;
-        Tip<S>& other = nth(tips_, tips_[t].partner);
-        if (!is_arm(tips_[t], slender) || !is_arm(other, slender)) continue;
-        for (Tip<S>* hand : {&tips_[t], &other}) {
-          hand->used = true;
-          add(hand->node, BodyRole::hand, true, side_of(*hand));
-        }
-        return;
+    if (legs_ >= 4 && legs_ < 6) return;
+    const ArmFinder<S> arms(body_, tips_, head_, center_);
+    const std::int32_t hand = swims_ ? arms.find_fins() : legs_ >= 6 ? arms.find_claws() : arms.find();
+    if (hand < 0) return;
+    for (const std::int32_t t : {hand, nth(tips_, hand).partner}) {
+      nth(tips_, t).used = true;
+      add(nth(tips_, t).node, BodyRole::hand, true, side_of(nth(tips_, t)));
+    }
+  }
+
+  // The end of a body that swims or crawls; of one that is coiled what is named so, and the tip there.
+  void add_tail() {
+    const Landmark<S>* last = nullptr;
+    const auto off = [&](const Vec3<S>& p) { return (p - body_.place(head_)).norm(); };
+    for (const Landmark<S>& one : named_)
+      if (one.role == BodyRole::tail && (last == nullptr || off(one.position) > off(last->position))) last = &one;
+    std::int32_t end = body_.lies() || last == nullptr ? section(2, S(0.08)) : beside(*last);
+    for (Tip<S>& t : tips_) {
+      if (body_.lies() || t.partner >= 0 || body_.apart(t.node, end) > S(0.2)) continue;
+      t.used = true;
+      end = t.node;
+      break;
+    }
+    add(end, BodyRole::tail, true, 0);
+  }
+
+  // What is nearest to the middle of a cross section, `share` of the way along an axis of the body.
+  std::int32_t section(int axis, S share) const {
+    const S length = body_.high[axis] - body_.low[axis], at = body_.low[axis] + share * length;
+    Landmark<S> inner;
+    S count = 0;
+    for (S slack = S(0.04); !(count > S(0)) && slack < S(1); slack *= S(2)) {
+      for (std::size_t i = 0; i < body_.places.size(); ++i) {
+        if (std::abs(body_.places[i][axis] - at) > slack * length) continue;
+        inner.position += body_.graph.area[i] * body_.places[i];
+        count += body_.graph.area[i];
       }
     }
+    if (!(count > S(0))) return -1;
+    inner.position /= count;
+    return beside(inner);
   }
 
   // On two legs the belly and the chest above it; on four the rump and the withers. They are offered only: what the
@@ -206,6 +210,12 @@ class BodyReader {
     if (legs_ >= 4) {
       add(back_over(BodyRole::foot), BodyRole::hips, true, 0);
       add(back_over(BodyRole::foreleg), BodyRole::chest, true, 0);
+      return;
+    }
+    if (swims_) {
+      const int along = body_.lies() ? 2 : 1;
+      add(section(along, S(0.36)), BodyRole::hips, true, 0);
+      add(section(along, S(0.68)), BodyRole::chest, true, 0);
       return;
     }
     // The middle of all is above the belly, since arms and head count.
@@ -228,15 +238,19 @@ class BodyReader {
     return body_.best_middle([=](const Vec3<S>& p) { return p.z() - S(3) * std::abs(p.y() - height); });
   }
 
+  // Over the feet, or where many legs that spread leave the trunk; not on a tail that is held over it.
   std::int32_t back_over(BodyRole legs) const {
     S z = 0, count = 0;
     for (const BodyPoint<S>& p : points_) {
       if (p.role != legs) continue;
-      z += body_.place(p.vertex).z();
+      const Vec3<S> base = body_.stand(find_limb(body_.graph, p.vertex, S(0.7) * body_.tall).base);
+      z += legs_ > 4 ? base.z() : body_.place(p.vertex).z();
       count += S(1);
     }
     if (!(count > S(0))) return -1;
-    return body_.best_middle([=](const Vec3<S>& p) { return p.y() - S(3) * std::abs(p.z() - z / count); });
+    return body_.best_middle([&](const Vec3<S>& p) {
+      return p.y() - S(3) * std::abs(p.z() - z / count) - (tails_[body_.index(p)] != 0 ? S(5) : S(0));
+    });
   }
 
   // Elbows and knees of limbs that are long for how thick they are, on both sides; a stump looks better in one piece.
@@ -290,8 +304,10 @@ class BodyReader {
   StandingBody<S> body_;
   std::vector<Landmark<S>> named_;  // as the body stands
   std::vector<Tip<S>> tips_;
+  std::vector<char> tails_;           // of each node: whether it is on one
   std::vector<BodyPoint<S>> points_;  // `vertex` is a node until read() ends
   std::size_t legs_ = 0;
+  bool swims_ = false;  // or crawls: it has no legs, and its back is level
   std::int32_t center_ = 0, head_ = 0;
 };
 

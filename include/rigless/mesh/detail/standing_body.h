@@ -12,10 +12,11 @@ struct StandingBody {
   const SurfaceGraph<S>& graph;
   SymmetryPlane<S> plane;
   Posture<S> posture;
-  Vec3<S> ground = Vec3<S>::Zero();  // in the file, seen as the body stands: below its middle
-  S tall = S(1);                     // in the file's units
-  S middle = S(0);                   // as far from the plane is still the middle
-  std::vector<Vec3<S>> places;       // N
+  Vec3<S> ground = Vec3<S>::Zero();                       // in the file, seen as the body stands: below its middle
+  S tall = S(1);                                          // in the file's units
+  S middle = S(0);                                        // as far from the plane is still the middle
+  std::vector<Vec3<S>> places;                            // N
+  Vec3<S> low = Vec3<S>::Zero(), high = Vec3<S>::Zero();  // of places
 
   // Keeps the graph. Allocates.
   StandingBody(const SurfaceGraph<S>& of, const Posture<S>& as, const SymmetryPlane<S>& about)
@@ -27,7 +28,12 @@ struct StandingBody {
     ground = Vec3<S>((box.low.x() + box.high.x()) / S(2), box.low.y(), (box.low.z() + box.high.z()) / S(2));
     for (std::size_t i = 0; i < graph.size(); ++i) places[i] = stand(graph.position[i]);
     middle = std::max(S(0.06) * box.extent().x() / tall, S(0.035));
+    low = bounds<S>(places).low;
+    high = bounds<S>(places).high;
   }
+
+  // Whether it is longer than high, as what runs on four legs, swims or crawls.
+  bool lies() const { return high.z() - low.z() > S(1.2) * (high.y() - low.y()); }
 
   // Of a place in the file.
   Vec3<S> stand(const Vec3<S>& in_file) const {

@@ -91,6 +91,15 @@ class StarterFigure {
     return trunk;
   }
 
+  // How far the left foot is before the right, and the hips to the left of both: in legs, about -1 to 1. No allocation.
+  RIGLESS_COLD S stride(const Vec3<S>* pose) const {
+    const std::int32_t left = roles_.left.ankle, right = roles_.right.ankle;
+    if (left < 0 || right < 0) return S(0);
+    const Vec3<S>&l = pose[left], &r = pose[right];
+    const S leg = std::max(nth(limbs_, left).reach, S(1e-6));
+    return std::tanh((l.z() - r.z() - S(1.5) * (l.x() + r.x())) / leg);
+  }
+
   // How the head is turned on the trunk, from how it mostly is. No allocation.
   RIGLESS_COLD Eigen::Quaternion<S> nod(const Vec3<S>* pose) const {
     if (roles_.head < 0 || top_ < 0 || top_ == roles_.head) return Eigen::Quaternion<S>::Identity();

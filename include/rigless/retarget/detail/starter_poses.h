@@ -18,6 +18,7 @@ template <class S>
 struct LimbOptions {
   S lean = S(0.9);  // how much a trunk leans with the human's
   S nod = S(1.3);   // how much a head turns with the human's, whose neck is all that is known
+  S wave = S(0.5);  // how far the tail of a body without legs goes aside, in lengths from its hips
 };
 
 // What the system would have a model do in a pose, before anybody has shown it. A limb of the model points where the
@@ -49,12 +50,12 @@ class StarterPoses {
         return rest + own.length * (along(pose, c) + Vec3<S>::UnitY());
       case FollowedPart::head: {
         const Eigen::Quaternion<S> nod = figure_.nod(pose), none = Eigen::Quaternion<S>::Identity();
-        return carried(pose, own.base + none.slerp(options_.nod, nod) * (rest - own.base));
+        return carried(pose, own.base + none.slerp(options_.nod, nod) * (rest - own.base)) + waved(pose, c);
       }
       case FollowedPart::trunk:
         break;
     }
-    return carried(pose, rest);
+    return carried(pose, rest) + waved(pose, c);
   }
 
  private:
@@ -86,6 +87,20 @@ class StarterPoses {
     }
     hips_.y() = model_.floor + std::clamp(high, S(0.2) * model_.height, S(0.55) * model_.height);
     on_all_fours_ = feet > S(2);
+    if (feet > S(0)) return;
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+      const Vec3<S> way = model_.rest[c] - hips_;
+      if (follows_[c].part == FollowedPart::head) swims_ = std::hypot(way.x(), way.z()) > std::abs(way.y());
+      if (pairs_[c] < 0) tail_ = std::max(tail_, way.norm());
+    }
+  }
+
+  // A body without legs waves as feet step: its tail, which follows nothing, to one side, and less its head to the
+  // other.
+  RIGLESS_COLD Vec3<S> waved(const Vec3<S>* pose, std::size_t c) const {
+    const S share = pairs_[c] < 0 ? S(1) : S(-0.3);
+    const S way = tail_ > S(0) ? (model_.rest[c] - hips_).norm() : S(0);
+    return {share * options_.wave * way * figure_.stride(pose), S(0), S(0)};
   }
 
   // As the shape has it, else as a human of this height would. An elbow is on the way to its hand.
@@ -142,12 +157,13 @@ class StarterPoses {
     const TrunkPose<S> human = figure_.trunk(pose);
     const Vec3<S> arm = rest - hips_;
     const S height = model_.height;
-    const S share = std::min(S(1), arm.norm() / (S(0.25) * height)) *
-                    std::clamp(S(1) + arm.y() / (S(0.15) * height), S(0), S(1)) * options_.lean *
-                    (on_all_fours_ ? S(0.4) : S(1));
-    const S most = on_all_fours_ ? S(0.25) : S(1.2);
-    const auto held = [&](S angle) { return most * std::tanh(share * angle / most); };
-    return hips_ + trunk_rotation<S>({held(human.pitch), held(human.roll), held(human.twist)}) * arm;
+    const S above = swims_ ? S(1) : std::clamp(S(1) + arm.y() / (S(0.15) * height), S(0), S(1));
+    const S share =
+        std::min(S(1), arm.norm() / (S(0.25) * height)) * above * options_.lean * (on_all_fours_ ? S(0.4) : S(1));
+    const S most = on_all_fours_ ? S(0.25) : swims_ ? S(0.6) : S(1.2);
+    const auto held = [&](S angle, S limit) { return limit * std::tanh(share * angle / limit); };
+    const S pitch = swims_ ? S(0.3) : most;
+    return hips_ + trunk_rotation<S>({held(human.pitch, pitch), held(human.roll, most), held(human.twist, most)}) * arm;
   }
 
   Span<const std::int32_t> pairs_;  // C
@@ -158,6 +174,8 @@ class StarterPoses {
   std::vector<ModelLimb<S>> limbs_;       // C
   Vec3<S> hips_ = Vec3<S>::Zero();        // of the model at rest
   bool on_all_fours_ = false;
+  bool swims_ = false;  // or crawls: it has no legs, and its head is before its hips
+  S tail_ = 0;          // from the hips to the end of a body without legs
 };
 
 }  // namespace rigless::detail

@@ -26,8 +26,9 @@ inline bool belongs_to_foot(const Skeleton& skeleton, const LimbRoles& limb, std
 }
 
 // Controls that are paired with a joint of a foot stand when that foot does. A body without any (a cactus, a cup)
-// stands on its lowest controls, those within 5 % of its height of the lowest at rest, when either foot does. rest: C;
-// floor: y of the lowest vertex at rest; height: of the mesh. Allocates.
+// stands on its lowest controls, those within 5 % of its height of the lowest at rest, when either foot does; but one
+// that is held at its hips swims, crawls or flies where the human goes. rest: C; floor: y of the lowest vertex at rest;
+// height: of the mesh. Allocates.
 template <class S>
 StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
                                       Span<const Vec3<S>> rest, S floor, S height) {
@@ -41,12 +42,13 @@ StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const 
     feet.push_back({left, right});
   }
   if (standing.control.empty() && !rest.empty()) {
+    const bool glides = std::find(pairs.begin(), pairs.end(), 0) != pairs.end();
     S lowest = rest[0].y();
     for (const Vec3<S>& p : rest) lowest = std::min(lowest, p.y());
     for (std::size_t c = 0; c < rest.size(); ++c) {
       if (rest[c].y() > lowest + S(0.05) * height) continue;
       standing.control.push_back(static_cast<std::int32_t>(c));
-      feet.push_back({true, true});
+      feet.push_back({!glides, !glides});
     }
   }
   for (const std::int32_t c : standing.control) standing.ground.push_back(nth(rest, c).y() - floor);
