@@ -18,7 +18,6 @@
 #include "rigless/motion/parse_bvh.h"
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/constraints.h"
-#include "rigless/retarget/example.h"
 #include "rigless/retarget/retarget.h"
 #include "rigless/retarget_mesh.h"
 #include "rigless/scene/bake.h"

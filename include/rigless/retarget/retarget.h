@@ -12,10 +12,10 @@
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
 #include "rigless/retarget/detail/bounded_spacetime.h"
+#include "rigless/retarget/detail/example.h"
 #include "rigless/retarget/detail/features.h"
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/spacetime.h"
-#include "rigless/retarget/example.h"
 
 namespace rigless {
 

@@ -7,7 +7,7 @@
 #include "rigless/math/types.h"
 #include "rigless/motion/contacts.h"
 #include "rigless/motion/detail/units.h"
-#include "rigless/retarget/example.h"
+#include "rigless/retarget/detail/example.h"
 
 namespace rigless {
 

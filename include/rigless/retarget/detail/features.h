@@ -9,8 +9,8 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/detail/example.h"
 #include "rigless/retarget/detail/pose_spread.h"
-#include "rigless/retarget/example.h"
 
 namespace rigless::detail {
 

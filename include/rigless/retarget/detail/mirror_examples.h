@@ -9,7 +9,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
-#include "rigless/retarget/example.h"
+#include "rigless/retarget/detail/example.h"
 
 namespace rigless::detail {
 

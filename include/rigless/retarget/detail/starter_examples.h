@@ -9,11 +9,11 @@
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/detail/example.h"
 #include "rigless/retarget/detail/key_poses.h"
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/starter_offsets.h"
 #include "rigless/retarget/detail/starter_poses.h"
-#include "rigless/retarget/example.h"
 
 namespace rigless::detail {
 

@@ -11,7 +11,7 @@
 #include "rigless/mesh/shape_analysis.h"
 #include "rigless/motion/joint_names.h"
 #include "rigless/motion/joint_roles.h"
-#include "rigless/retarget/example.h"
+#include "rigless/retarget/detail/example.h"
 #include "rigless/scene/body.h"
 #include "rigless/scene/staged_motion.h"
 
