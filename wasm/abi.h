@@ -71,6 +71,10 @@ struct Vector {
   Vector(const rigless::Vec3<S>& v) : x(v.x()), y(v.y()), z(v.z()) {}
 };
 
+inline rigless::Vec3<float> vector(const Vector& v) {
+  return rigless::Vec3<double>(v.x.value, v.y.value, v.z.value).cast<float>();
+}
+
 static_assert(sizeof(Number) == sizeof(double) && sizeof(Vector) == 3 * sizeof(double));
 
 // Where a mesh is held.
@@ -78,10 +82,18 @@ struct ControlInput {
   Number vertex;
   Number radius;  // of the disc along the surface or of the ball in the solid, metres
   Flag slab;      // of a solid: holds a level slab instead of a ball
+  Flag on_limb;   // of a solid: it is at the tip of a limb,
+  Vector base;    // which leaves the trunk there,
+  Vector bend;    // and bends there, at rest
 };
 
 inline rigless::Control<float> control(const ControlInput& c) {
-  return {static_cast<std::int32_t>(c.vertex.value), static_cast<float>(c.radius.value), c.slab.value != 0};
+  return {static_cast<std::int32_t>(c.vertex.value),
+          static_cast<float>(c.radius.value),
+          c.slab.value != 0,
+          c.on_limb.value != 0,
+          vector(c.base),
+          vector(c.bend)};
 }
 
 // Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres.
@@ -208,8 +220,7 @@ struct Landmark {
 };
 
 inline rigless::Landmark<float> landmark(const Landmark& one) {
-  const rigless::Vec3<double> position(one.position.x.value, one.position.y.value, one.position.z.value);
-  return {position.cast<float>(), static_cast<BodyRole>(one.role.value), static_cast<std::int32_t>(one.side.value)};
+  return {vector(one.position), static_cast<BodyRole>(one.role.value), static_cast<std::int32_t>(one.side.value)};
 }
 
 // What a bare mesh says of itself, in its own axes and units.

@@ -12,12 +12,13 @@ namespace {
 using Vec3f = Vec3<float>;
 
 // Arms level, as wide as the body is high; sleeves to the elbow.
-BlockBody<float> sleeved_human() {
+std::vector<Block> sleeved_blocks() {
   std::vector<Block> blocks = block_human;
   blocks.push_back({{4, 26, -2}, {9, 31, 3}});
   blocks.push_back({{-9, 26, -2}, {-4, 31, 3}});
-  return build_blocks<float>(blocks);
+  return blocks;
 }
+BlockBody<float> sleeved_human() { return build_blocks<float>(sleeved_blocks()); }
 
 struct Held {
   enum : std::int32_t { hips, chest, left_hand, right_hand };
@@ -129,6 +130,34 @@ TEST_CASE("an arm bends backwards at the elbow when its hand is nearer than it i
   CHECK(least > 0.6f);
   CHECK(most < 1.5f);
   CHECK(held.middle_of_left_arm(9, 12).z() < -0.4f);
+}
+
+TEST_CASE("a limb that is known leaves where it is said to, and turns there") {
+  Held held(build_blocks<float>(sleeved_blocks()));
+  Control<float>& hand = held.controls[Held::left_hand];
+  hand.on_limb = true;
+  hand.base = Vec3f(6, 28.5f, 0.5f);
+  hand.bend = Vec3f(12, 28.5f, 0.5f);
+  REQUIRE(held.body.set_controls(held.controls).ok());
+  const detail::Limb<float>& limb = held.body.limbs()[Held::left_hand];
+  CHECK((limb.base - hand.base).norm() < 1e-6f);
+  CHECK((limb.middle - hand.bend).norm() < 1e-6f);
+  CHECK(limb.length > 9.9f);
+  CHECK(limb.length < 10.4f);
+  std::vector<Vec3f> targets = held.rest;
+  targets[Held::left_hand] = Vec3f(6, 18.5f, 0.5f);
+  held.body.act(targets, 1);
+  CHECK(held.middle_of_left_arm(11, 13).y() < 25);
+}
+
+TEST_CASE("hands that are mirror images have arms that are") {
+  std::vector<Block> blocks = block_human;
+  blocks.push_back({{4, 22, -4}, {11, 33, 5}});  // a left sleeve like a bell
+  const Held held(build_blocks<float>(blocks));
+  const detail::Limb<float>&left = held.body.limbs()[Held::left_hand], &right = held.body.limbs()[Held::right_hand];
+  CHECK(left.length == right.length);
+  CHECK(std::abs(left.base.x() + right.base.x()) < 0.1f);
+  CHECK(left.base.y() == right.base.y());
 }
 
 TEST_CASE("limbs that turn do not allocate") {

@@ -18,7 +18,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1446423520;
+export const ABI = 1808700355;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -43,9 +43,22 @@ export interface ControlInput {
   radius: number;
   /** Of a solid: holds a level slab instead of a ball. */
   slab: boolean;
+  /** Of a solid: it is at the tip of a limb,. */
+  onLimb: boolean;
+  /** Which leaves the trunk there,. */
+  base: [number, number, number];
+  /** And bends there, at rest. */
+  bend: [number, number, number];
 }
 
-export const writeControlInput = (one: ControlInput): number[] => [one.vertex, one.radius, Number(one.slab)];
+export const writeControlInput = (one: ControlInput): number[] => [
+  one.vertex,
+  one.radius,
+  Number(one.slab),
+  Number(one.onLimb),
+  ...one.base,
+  ...one.bend,
+];
 
 /** Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres. */
 export interface ConstraintInput {

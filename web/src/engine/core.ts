@@ -69,7 +69,7 @@ export class Core {
     if (!this.#report) throw new EngineError("bad_controls", "There is no model to place controls on yet.");
     this.#heap.lendAll(
       writeControlInput,
-      controls.map((control) => ({ slab: false, ...control })),
+      controls.map((control) => ({ slab: false, onLimb: false, base: NOWHERE, bend: NOWHERE, ...control })),
       (at) => {
         this.#check(this.#wasm.body_set_controls(this.#body, at, controls.length), { kind: "controls" });
       },
@@ -174,6 +174,8 @@ export class Core {
     if (packed !== 0) throw engineError(packed, subject);
   }
 }
+
+const NOWHERE: [number, number, number] = [0, 0, 0];
 
 /** NaN is how the core says that there is none. */
 const known = (value: number) => (Number.isNaN(value) ? null : value);

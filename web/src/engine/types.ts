@@ -43,7 +43,7 @@ export interface MeshReport {
 export type AxisName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 
 /** Where a mesh is held; a ball unless `slab` says otherwise. */
-export type ControlInput = Omit<CoreControl, "slab"> & Partial<Pick<CoreControl, "slab">>;
+export type ControlInput = Pick<CoreControl, "vertex" | "radius"> & Partial<CoreControl>;
 
 export type { Solve };
 

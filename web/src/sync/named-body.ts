@@ -22,11 +22,15 @@ export interface NamedBody {
 }
 
 /** An arm, leg or wing from where it leaves the trunk. */
-interface Limb {
+export interface NamedLimb {
   kind: LimbName["kind"];
   which: string;
   side: Exclude<Side, null>;
   base: Place;
+  /** Whether more than a hand or a foot of it is named. */
+  whole: boolean;
+  /** Where its lower half begins; null where no joint does. */
+  bend: Place | null;
   /** The last joint that its end is known to be near. */
   end: Place;
   /** The way on from there where the joints stop short of the end. */
@@ -39,6 +43,7 @@ interface Bounds {
   readonly max: readonly number[];
 }
 
+const ENDS: ReadonlySet<LimbName["part"]> = new Set<LimbName["part"]>(["hand", "finger", "foot", "toe", "tip"]);
 const ZERO: Place = [0, 0, 0];
 const plus = (a: Place, b: Place, times = 1): Place => [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]];
 const minus = (a: Place, b: Place): Place => plus(a, b, -1);
@@ -53,8 +58,13 @@ export function readNamedBody(joints: readonly NamedJoint[], box: Bounds, axes: 
   return body.limbs.length > 0 || body.heads.length > 0 ? body.read(axes) : null;
 }
 
+/** The arms, legs and wings of a body whose joints are named. */
+export function readNamedLimbs(joints: readonly NamedJoint[], box: Bounds): readonly NamedLimb[] {
+  return new NamedBodyReader(joints, box).limbs.filter(({ whole }) => whole);
+}
+
 class NamedBodyReader {
-  readonly limbs: Limb[] = [];
+  readonly limbs: NamedLimb[] = [];
   readonly heads: number[];
   private readonly names: LimbName[];
   private readonly size: number;
@@ -113,7 +123,7 @@ class NamedBodyReader {
   }
 
   /** From the joints of a limb; those that hang on them count, thumbs aside. */
-  private limbOf(group: readonly number[]): Limb {
+  private limbOf(group: readonly number[]): NamedLimb {
     const { kind, side, which } = this.names[group[0]];
     const inGroup = new Set(group);
     const base =
@@ -129,6 +139,7 @@ class NamedBodyReader {
     const farthest = (some: readonly number[]): number => some.reduce((a, b) => (far(this.at(b), from) > far(this.at(a), from) ? b : a));
     const end = farthest(all);
     const { part } = this.names[end];
+    const bend = group.find((j) => this.names[j].part === (kind === "leg" ? "lower_leg" : "lower_arm"));
     const before = all.filter((j) => j !== end && far(this.at(j), from) < far(this.at(end), from));
     const last = before.length > 0 ? farthest(before) : base;
     const short = kind !== "wing" && (part === "lower_leg" || part === "lower_arm" || part === "upper_leg" || part === "upper_arm");
@@ -137,6 +148,8 @@ class NamedBodyReader {
     return {
       ...{ kind, which, side: side ?? "left" },
       base: from,
+      whole: !ENDS.has(this.names[base].part),
+      bend: bend === undefined ? null : this.at(bend),
       end: this.at(end),
       onwards: short ? minus(this.at(end), this.at(last)) : null,
       toes: ankles.length > 0 && tips.length > 0 ? minus(mean(tips.map((j) => this.at(j))), this.at(ankles[0])) : null,
@@ -193,7 +206,7 @@ class NamedBodyReader {
     });
     const onGround = (n: number, least: number): boolean => height(ends[n]) - low < least * tall;
     const marks: Landmark[] = [];
-    const mark = (role: Landmark["role"], position: Place, side: Limb["side"] | null = null): void => {
+    const mark = (role: Landmark["role"], position: Place, side: NamedLimb["side"] | null = null): void => {
       marks.push({ role, position: [...position], side: side === null ? 0 : side === "left" ? 1 : -1 });
     };
     const arms = this.limbs.some(({ kind, which }, n) => (kind === "arm" || which === "front") && !onGround(n, 0.06));
@@ -228,7 +241,7 @@ class NamedBodyReader {
   }
 
   /** By where it is, since names may be seen from in front. */
-  private sideOf({ side, kind, which }: Limb, left: Place): Limb["side"] {
+  private sideOf({ side, kind, which }: NamedLimb, left: Place): NamedLimb["side"] {
     const of = (wanted: Side): Place[] =>
       this.limbs.flatMap((limb) => (limb.side === wanted && limb.kind === kind && limb.which === which ? [limb.base, limb.end] : []));
     const [own, other] = [of(side), of(side === "left" ? "right" : "left")];
@@ -236,7 +249,7 @@ class NamedBodyReader {
     return dot(minus(mean(own), mean(other)), left) > 0 ? "left" : "right";
   }
 
-  private isFirstWing({ side, which }: Limb): boolean {
+  private isFirstWing({ side, which }: NamedLimb): boolean {
     const wings = this.limbs.filter((limb) => limb.kind === "wing" && limb.side === side);
     return (
       wings.length < 2 ||

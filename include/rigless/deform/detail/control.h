@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "rigless/math/types.h"
+
 namespace rigless {
 
 // Where a control sits and how far what it holds reaches: a disc along a surface (radius 0 holds the vertex alone), a
@@ -12,6 +14,9 @@ struct Control {
   std::int32_t vertex = -1;
   S radius = S(0);
   bool slab = false;
+  bool on_limb = false;            // of a solid: it is known that a control lies at the tip of a limb,
+  Vec3<S> base = Vec3<S>::Zero();  // where that leaves the trunk,
+  Vec3<S> bend = Vec3<S>::Zero();  // and where it bends, at rest
 };
 
 }  // namespace rigless

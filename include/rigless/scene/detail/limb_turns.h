@@ -25,18 +25,23 @@ class LimbTurns {
     rotations_.assign(solid.rest.size(), Mat3<S>::Identity());
     std::vector<S> nearest(solid.rest.size(), std::numeric_limits<S>::max());
     std::vector<Node> found(solid.rest.size());
+    std::vector<LimbBones<S>> bones;
     for (std::size_t c = 0; c < controls.size(); ++c) {
       const Limb<S>& limb = limbs[c];
       if (!(limb.length > S(0)) || is_stump(limb, solid.cell)) continue;
-      const std::int32_t tip = nth(solid.element, nth(solid.element_of, controls[c].vertex))[0];
-      for (const auto& [node, distance] : vertices_within<S>(solid.rest, solid.ring, tip, limb.reach * (S(1) + blur))) {
-        if (distance >= nth(nearest, node)) continue;
+      bones.push_back(limb_bones(solid, limb, controls, c, rest[c]));
+      const S reach = limb.reach * (S(1) + blur);
+      for (const auto& [node, distance] : vertices_within<S>(solid.rest, solid.ring, bones.back().node, reach)) {
+        if (!(limb.reach > S(0)) || distance >= nth(nearest, node)) continue;
         nth(nearest, node) = distance;
-        const S along = distance / limb.reach;
-        nth(found, node) = {node, count_of(chains_), until(S(1), along), until(S(0.5), along)};
+        nth(found, node) = node_at(node, count_of(chains_), distance / limb.reach);
       }
       chains_.push_back(make_chain(limb, static_cast<std::int32_t>(c), rest[c]));
     }
+    // What is known to be a limb was not followed from its tip.
+    const TrunkShape<S> trunk = find_trunk(solid, controls, rest);
+    for (const auto& [node, chain, along] : find_limb_nodes<S>(solid, bones, trunk, S(1) + blur))
+      if (!(nth(limbs, nth(chains_, chain).control).reach > S(0))) nth(found, node) = node_at(node, chain, along);
     for (const Node& node : found)
       if (node.chain >= 0) nodes_.push_back(node);
   }
@@ -75,6 +80,10 @@ class LimbTurns {
     std::int32_t node = -1, chain = -1;
     S upper = 0, lower = 0;  // shares of those turns
   };
+
+  static Node node_at(std::int32_t node, std::int32_t chain, S along) {
+    return {node, chain, until(S(1), along), until(S(0.5), along)};
+  }
 
   // From 1 at the tip to 0 where `end` is passed.
   static S until(S end, S along) {

@@ -16,11 +16,13 @@ struct TrunkShape {
   Vec3<S> from = Vec3<S>::Zero(), to = Vec3<S>::Zero();
   S radius = 0;  // 0: it is not known
 
-  bool holds(const Vec3<S>& p) const {
+  // From its axis.
+  S distance(const Vec3<S>& p) const {
     const Vec3<S> way = to - from;
     const S along = std::clamp((p - from).dot(way) / way.squaredNorm(), S(0), S(1));
-    return radius > S(0) && (p - from - along * way).squaredNorm() < radius * radius;
+    return (p - from - along * way).norm();
   }
+  bool holds(const Vec3<S>& p) const { return radius > S(0) && distance(p) < radius; }
 };
 
 // As thick as the waist, which no limb is on. rest: C, where controls rest. Allocates.
@@ -32,13 +34,16 @@ RIGLESS_COLD TrunkShape<S> find_trunk(const Solid<S>& solid, Span<const Control<
   for (std::size_t c = 0; c < controls.size(); ++c)
     if (controls[c].slab) slabs.push_back(rest[c]);
   if (slabs.size() < 2) return trunk;
+  std::sort(slabs.begin(), slabs.end(), [](const Vec3<S>& a, const Vec3<S>& b) { return a.y() < b.y(); });
   trunk.from = slabs.front();
   trunk.to = slabs.back();
   const S length = (trunk.to - trunk.from).norm();
   if (!(length > S(0))) return trunk;
   const Vec3<S> way = (trunk.to - trunk.from) / length, waist = (trunk.from + trunk.to) / S(2);
   const S half = std::max(solid.cell, length / S(8));
-  const auto is_waist = [&](const Vec3<S>& p) { return std::abs((p - waist).dot(way)) < half; };
+  const auto is_waist = [&](const Vec3<S>& p) {  // what is farther away is held in a hand
+    return std::abs((p - waist).dot(way)) < half && (p - waist).squaredNorm() < length * length;
+  };
 
   std::vector<std::int32_t> queue;
   std::vector<char> seen(solid.rest.size(), 0);
