@@ -91,7 +91,8 @@ export class Binding {
   }
 
   private async takePoints(document: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {
-    const limbs = model.joints?.length ? (await import("./named-limbs")).namedLimbs(model, document) : [];
+    const solid = solveOf(document.mesh) === "solid";
+    const limbs = solid && model.joints?.length ? (await import("./named-limbs")).namedLimbs(model, document) : [];
     const controls = controlInputs(model, document).map((control, c) => ({ ...control, ...limbs[c] }));
     const key = JSON.stringify(controls);
     if (this.points === key || controls.length === 0) return;
