@@ -17,7 +17,7 @@ export function namedLimbs(
 ): readonly Pick<ControlInput, "onLimb" | "base" | "bend">[] {
   const stage = stageFor(model, mesh);
   const limbs = readNamedLimbs(model.joints ?? [], boundsOf(model.positions)).filter(({ base, end }) => far(base, end) > 0);
-  const standing = points.filter(({ position, slab }) => !slab && pointToStage(stage, position)[1] < 0.15 * STAGE_HEIGHT);
+  const standing = points.filter(({ position, slab }) => !slab && pointToStage(stage, position)[1] < 0.08 * STAGE_HEIGHT);
   return points.map(({ position, slab }) => {
     if (slab || standing.length > 2) return {}; // an animal's thigh is in its trunk
     const away = (end: Vec3): number => far(end, position);
