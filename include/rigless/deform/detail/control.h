@@ -15,8 +15,8 @@ struct Control {
   S radius = S(0);
   bool slab = false;
   bool on_limb = false;            // of a solid: it is known that a control lies at the tip of a limb,
-  Vec3<S> base = Vec3<S>::Zero();  // where that leaves the trunk,
-  Vec3<S> bend = Vec3<S>::Zero();  // and where it bends, at rest
+  Vec3<S> base{S(0), S(0), S(0)};  // where that leaves the trunk,
+  Vec3<S> bend{S(0), S(0), S(0)};  // and where it bends, at rest
 };
 
 }  // namespace rigless

@@ -11,8 +11,8 @@
 
 namespace rigless::detail {
 
-// The same bones in another pose: how many times as long they are in all. 1 where hardly any is known, or the difference
-// is one of rounding. parents: J; pose and other: J, not finite where unknown. No allocation.
+// The same bones in another pose: how many times as long they are in all. 1 where hardly any is known, or the
+// difference is one of rounding. parents: J; pose and other: J, not finite where unknown. No allocation.
 template <class S>
 S bone_ratio(Span<const std::int32_t> parents, Span<const Vec3<S>> pose, Span<const Vec3<S>> other) {
   constexpr int fewest = 3;
