@@ -44,7 +44,8 @@ export async function exportDance(
 export function sayLikeness({ joints, rms, worst, normals }: Likeness): string {
   const share = (of: number): string => `${(100 * of).toFixed(2)} %`;
   const degrees = ((normals * 180) / Math.PI).toFixed(1);
-  return `${joints} joints; ${share(rms)} of the model's size off on average, ${share(worst)} in the worst place; light ${degrees} degrees off`;
+  const places = `${share(rms)} of the model's size off on average, ${share(worst)} in the worst place`;
+  return `${joints} joints; ${places}; light ${degrees} degrees off`;
 }
 
 /** The least step with which every viewer takes a dance of so many frames. */

@@ -126,16 +126,20 @@ describe("what cannot be used is refused by name, and what was there stays", () 
     ["an empty file", bvh(" \n"), /^dance\.bvh is empty/],
     ["another format", bvh("solid cube\nfacet normal 0 0 1\n"), /^dance\.bvh is not a motion in a format that/],
     ["a cut file", bvh(lines.slice(0, 8).join("\n")), /^dance\.bvh stops in line 8: more of the motion should follow/],
-    ["a word for a number", bvh(good.replace("OFFSET 0 0.8 0", "OFFSET 0 up 0")), /^dance\.bvh, line 8: a number is missing/],
-    ["a misspelt keyword", bvh(good.replace("JOINT", "JIONT")), /^dance\.bvh, line 6: this line is not/],
+    [
+      "a word for a number",
+      bvh(good.replace("OFFSET 0 0.8 0", "OFFSET 0 up 0")),
+      /^dance\.bvh, line 8 \(OFFSET 0 up 0\): a number is missing/,
+    ],
+    ["a misspelt keyword", bvh(good.replace("JOINT", "JIONT")), /^dance\.bvh, line 6 \(JIONT Head\): this line is not/],
     ["no frame", bvh(lines.slice(0, 18).join("\n")), /^dance\.bvh has no whole frame/],
     ["a skeleton that is none", acclaim("hello", "1\nroot 0 0 0 0 0 0\n"), /^man\.asf is not a skeleton in a format that/],
     [
       "a bone that the skeleton has not",
       acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\ntail 4\n"),
-      /^walk\.amc, line 4: this bone is not in the skeleton/,
+      /^walk\.amc, line 4 \(tail 4\): this bone is not in the skeleton/,
     ],
-    ["a bad value in a motion", acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\nhead x\n"), /^walk\.amc, line 4: a number/],
+    ["a bad value in a motion", acclaim(asf, ":DEGREES\n1\nroot 0 0 0 0 0 0\nhead x\n"), /^walk\.amc, line 4 \(head x\): a number/],
   ];
   test.each(motions)("%s", async (_, motion, message) => {
     await setUpPost(engine);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rigless/math/span.h"
@@ -11,30 +12,28 @@
 
 namespace rigless::detail {
 
-// The same bones in another pose: how many times as long they are in all. 1 where hardly any is known, or the
-// difference is one of rounding. parents: J; pose and other: J, not finite where unknown. No allocation.
+// The same bones in another pose: how many times as long most of them are (the median). 1 where hardly any is known, or
+// the difference is one of rounding. parents: J; pose and other: J, not finite where unknown. Allocates.
 template <class S>
 S bone_ratio(Span<const std::int32_t> parents, Span<const Vec3<S>> pose, Span<const Vec3<S>> other) {
-  constexpr int fewest = 3;
+  constexpr std::size_t fewest = 3;
   constexpr double rounding = 0.02;
-  S length = 0, other_length = 0;
-  int bones = 0;
+  std::vector<S> ratios;
   for (std::size_t j = 0; j < parents.size(); ++j) {
     if (parents[j] < 0) continue;
     const auto p = to_size(parents[j]);
-    const S bone = (pose[j] - pose[p]).norm(), other_bone = (other[j] - other[p]).norm();
-    if (!std::isfinite(bone + other_bone) || !(bone > S(0)) || !(other_bone > S(0))) continue;
-    length += bone;
-    other_length += other_bone;
-    ++bones;
+    const S ratio = (other[j] - other[p]).norm() / (pose[j] - pose[p]).norm();
+    if (std::isfinite(ratio) && ratio > S(0)) ratios.push_back(ratio);
   }
-  if (bones < fewest) return S(1);
-  const S ratio = other_length / length;
-  return std::abs(ratio - S(1)) < S(rounding) ? S(1) : ratio;
+  if (ratios.size() < fewest) return S(1);
+  for (std::size_t i = 1; i < ratios.size(); ++i)  // few: std::sort would bring a kilobyte of wasm
+    for (std::size_t k = i; k > 0 && ratios[k] < ratios[k - 1]; --k) std::swap(ratios[k], ratios[k - 1]);
+  const S median = ratios[ratios.size() / 2];
+  return std::abs(median - S(1)) < S(rounding) ? S(1) : median;
 }
 
 // Makes the actor of each of N poses as large as the one of `pose` (J): a child's jump teaches what a giant's does.
-// examples: N x J, body-local. No allocation.
+// examples: N x J, body-local. Allocates.
 template <class S>
 void scale_to_actor(Span<const std::int32_t> parents, Span<const Vec3<S>> pose, std::vector<Vec3<S>>& examples) {
   const std::size_t joints = parents.size();
