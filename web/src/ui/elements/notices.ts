@@ -10,6 +10,9 @@ import { base } from "../styles";
 /** So long a notice stays on the stage; what went wrong stays until it is dismissed. */
 const READ_MS = 10_000;
 
+/** At once on the stage: the newest, and what went wrong. */
+const MOST = 2;
+
 /** What happened, what we did, what you can do: the newest in one line, which fades into a bell with the whole list. */
 @customElement("rigless-notices")
 export class NoticesElement extends SessionElement {
@@ -120,8 +123,7 @@ export class NoticesElement extends SessionElement {
   private get shown(): readonly Notice[] {
     const { all } = this.session.context.notices;
     if (this.open) return all;
-    const [newest] = all;
-    return newest && (newest.bad || newest.id > this.read) ? [newest] : [];
+    return all.filter(({ id, bad }, n) => bad || (n === 0 && id > this.read)).slice(0, MOST);
   }
 
   private readonly stay = (): void => clearTimeout(this.fading);
