@@ -82,9 +82,9 @@ struct ControlInput {
   Number vertex;
   Number radius;  // of the disc along the surface or of the ball in the solid, metres
   Flag slab;      // of a solid: holds a level slab instead of a ball
-  Flag on_limb;   // of a solid: it is at the tip of a limb,
-  Vector base;    // which leaves the trunk there,
-  Vector bend;    // and bends there, at rest
+  Flag on_limb;   // of a solid: it is known to be at the tip of a limb
+  Vector base;    // where that limb leaves the trunk, stage metres
+  Vector bend;    // where it bends at rest, stage metres
 };
 
 inline rigless::Control<float> control(const ControlInput& c) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rigless/retarget/detail/actor_size.h"
+#include "rigless/retarget/detail/example_size.h"
 #include "scene/dancers.h"
 
 using namespace rigless;

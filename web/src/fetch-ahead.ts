@@ -8,6 +8,7 @@ export function fetchAhead(): void {
       () => import("./ui/elements/late"),
       () => import("./io/project-file"),
       () => import("./io/export-dance"),
+      () => import("./engine/skin-in-worker"),
       () => import("./app/keeping"),
       () => import("./page/shelf"),
       () => import("./app/file-opening"),

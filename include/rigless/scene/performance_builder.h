@@ -2,8 +2,8 @@
 #pragma once
 
 #include "rigless/motion/detail/mirror_joints.h"
-#include "rigless/retarget/detail/actor_size.h"
 #include "rigless/retarget/detail/coverage.h"
+#include "rigless/retarget/detail/example_size.h"
 #include "rigless/retarget/detail/mirror_examples.h"
 #include "rigless/retarget/detail/pose_spread.h"
 #include "rigless/retarget/detail/starter_examples.h"
@@ -110,7 +110,8 @@ class PerformanceBuilder {
   // Allocates. Errors: factorization_failed (where: frame). On failure `out` keeps what it had.
   Status finish(Performance<S>& out) {
     Performance<S> p;
-    if (const Status status = retargeter_.finish(p.controls); !status.ok()) return status;
+    if (const Status status = retargeter_.finish(p.controls); !status.ok())
+      return {status.error, std::max(status.where - laps_.margin(), 0)};
     p.frames = motion_->clip.frames;
     laps_.unwind(p.controls);
     p.flights = ground_.flights();

@@ -146,13 +146,12 @@ export class Keeping {
   }
 
   private async write(): Promise<void> {
-    const { history } = this.context;
-    const { document } = history;
     try {
       const shelf = await this.shelf;
       if (this.id === null) this.become(await shelf.begin());
-      await shelf.put(this.work(this.id ?? "", document));
-      history.markKept(document);
+      const work = this.work(this.id ?? "");
+      await shelf.put(work);
+      this.context.history.markKept(work.steps.present);
       this.ports.memory.kept = true;
       this.refused = false;
       await this.refresh();
@@ -162,7 +161,7 @@ export class Keeping {
     }
   }
 
-  private work(id: string, document: ProjectDocument): KeptWork {
+  private work(id: string): KeptWork {
     const { builtins, cast, sources, thumbnails } = this.keepers;
     const { library } = this.context.workspace;
     const { past, present, future } = this.context.history.steps;
@@ -182,7 +181,7 @@ export class Keeping {
       return input && needed ? [{ files, input }] : [];
     });
     const picture = thumbnails.rest ?? "";
-    return { id, name: document.name, changed: Date.now(), picture, version: VERSION, steps, away, models, motions };
+    return { id, name: present.name, changed: Date.now(), picture, version: VERSION, steps, away, models, motions };
   }
 
   private async restore(work: KeptWork, { signal, progress }: JobHandle): Promise<void> {

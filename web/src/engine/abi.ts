@@ -43,11 +43,11 @@ export interface ControlInput {
   radius: number;
   /** Of a solid: holds a level slab instead of a ball. */
   slab: boolean;
-  /** Of a solid: it is at the tip of a limb,. */
+  /** Of a solid: it is known to be at the tip of a limb. */
   onLimb: boolean;
-  /** Which leaves the trunk there,. */
+  /** Where that limb leaves the trunk, stage metres. */
   base: [number, number, number];
-  /** And bends there, at rest. */
+  /** Where it bends at rest, stage metres. */
   bend: [number, number, number];
 }
 

@@ -11,6 +11,8 @@ type Stored = Omit<KeptWork, "models" | "motions"> & {
 };
 
 interface Shelves extends DBSchema {
+  /** What a list shows, so that it need not read the projects. */
+  cards: { key: string; value: KeptProject };
   projects: { key: string; value: Stored };
   contents: { key: string; value: Uint8Array | MotionInput };
 }
@@ -18,6 +20,7 @@ interface Shelves extends DBSchema {
 export async function openShelf(): Promise<ShelfPort> {
   const database = await openDB<Shelves>("rigless", 1, {
     upgrade(fresh) {
+      fresh.createObjectStore("cards", { keyPath: "id" });
       fresh.createObjectStore("projects", { keyPath: "id" });
       fresh.createObjectStore("contents");
     },
@@ -34,8 +37,8 @@ class Shelf implements ShelfPort {
   constructor(private readonly database: IDBPDatabase<Shelves>) {}
 
   async list(): Promise<readonly KeptProject[]> {
-    const all = await this.database.getAll("projects");
-    return all.map(({ id, name, changed, picture }) => ({ id, name, changed, picture })).sort((a, b) => b.changed - a.changed);
+    const all = await this.database.getAll("cards");
+    return all.sort((a, b) => b.changed - a.changed);
   }
 
   async load(id: string): Promise<KeptWork | null> {
@@ -68,12 +71,14 @@ class Shelf implements ShelfPort {
       motions: await Promise.all(work.motions.map(async ({ files, input }) => ({ files, content: await keyOf(input) }))),
     };
     const { database } = this;
-    const transaction = database.transaction(["projects", "contents"], "readwrite");
+    const transaction = database.transaction(["cards", "projects", "contents"], "readwrite");
     const contents = transaction.objectStore("contents");
+    const { id, name, changed, picture } = work;
     const write = async (): Promise<void> => {
       const known = new Set(await contents.getAllKeys());
       for (const [key, value] of values) if (!known.has(key)) await contents.put(value, key);
       await transaction.objectStore("projects").put(stored);
+      await transaction.objectStore("cards").put({ id, name, changed, picture });
     };
     await Promise.all([write(), transaction.done]);
     if (this.asked) return;
@@ -82,10 +87,11 @@ class Shelf implements ShelfPort {
   }
 
   async remove(id: string): Promise<void> {
-    const transaction = this.database.transaction(["projects", "contents"], "readwrite");
+    const transaction = this.database.transaction(["cards", "projects", "contents"], "readwrite");
     const projects = transaction.objectStore("projects");
     const contents = transaction.objectStore("contents");
     const write = async (): Promise<void> => {
+      await transaction.objectStore("cards").delete(id);
       await projects.delete(id);
       const needed = new Set((await projects.getAll()).flatMap(contentsOf));
       for (const key of await contents.getAllKeys()) if (!needed.has(key)) await contents.delete(key);

@@ -1,21 +1,6 @@
 import { expect, test } from "vitest";
+import { TETRAHEDRON } from "../support/files";
 import { dancingSession, file, said, TestShelf, testPorts } from "./app-support";
-
-const BOX = `v 0 0 0
-v 1 0 0
-v 1 0 1
-v 0 0 1
-v 0 2 0
-v 1 2 0
-v 1 2 1
-v 0 2 1
-f 1 2 3 4
-f 8 7 6 5
-f 1 5 6 2
-f 2 6 7 3
-f 3 7 8 4
-f 4 8 5 1
-`;
 
 /** A page in which the name was changed twice, and which is closed then. */
 async function worked(shelf: TestShelf, memory?: ReturnType<typeof testPorts>["memory"]) {
@@ -62,12 +47,12 @@ test("an own model and whoever left the stage come back with it", async () => {
   const shelf = new TestShelf();
   const { session: before } = await dancingSession(testPorts(shelf));
   before.settings.rename("Spiky");
-  await before.opening.files([file("box.obj", BOX)]);
+  await before.opening.files([file("tetra.obj", TETRAHEDRON)]);
   await before.keeping?.flush();
   shelf.claims.clear();
 
   const { session } = await dancingSession(testPorts(shelf));
-  expect(session.document.mesh.file).toBe("box.obj");
+  expect(session.document.mesh.file).toBe("tetra.obj");
   expect(session.context.model).toBeDefined();
   const cactus = session.cast.list.find(({ character }) => character?.name === "Cactus");
   expect(session.cast.remembered(cactus?.file ?? "")?.name).toBe("Spiky");

@@ -14,9 +14,9 @@ struct Control {
   std::int32_t vertex = -1;
   S radius = S(0);
   bool slab = false;
-  bool on_limb = false;            // of a solid: it is known that a control lies at the tip of a limb,
-  Vec3<S> base{S(0), S(0), S(0)};  // where that leaves the trunk,
-  Vec3<S> bend{S(0), S(0), S(0)};  // and where it bends, at rest
+  bool on_limb = false;            // of a solid: it is known to be at the tip of a limb
+  Vec3<S> base{S(0), S(0), S(0)};  // where that limb leaves the trunk
+  Vec3<S> bend{S(0), S(0), S(0)};  // where it bends at rest
 };
 
 }  // namespace rigless

@@ -191,14 +191,4 @@ void give_accents(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
   }
 }
 
-// Poses farther from rest, or nearer to it. rest: C; poses: N x C.
-template <class S>
-void exaggerate(Span<const Vec3<S>> rest, S energy, std::vector<Vec3<S>>& poses) {
-  constexpr double farther = 0.4;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Vec3<S>& from = rest[i % rest.size()];
-    poses[i] = from + (1 + S(farther) * energy) * (poses[i] - from);
-  }
-}
-
 }  // namespace rigless::detail

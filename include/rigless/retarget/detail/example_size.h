@@ -1,4 +1,4 @@
-// Poses that a smaller or a larger actor showed.
+// Examples made larger or smaller: for an actor of another size, and to go farther.
 #pragma once
 
 #include <cmath>
@@ -40,6 +40,16 @@ void scale_to_actor(Span<const std::int32_t> parents, Span<const Vec3<S>> pose, 
   for (std::size_t first = 0; first < examples.size(); first += joints) {
     const S ratio = bone_ratio<S>(parents, {examples.data() + first, joints}, pose);
     for (std::size_t j = 0; j < joints; ++j) examples[first + j] *= ratio;
+  }
+}
+
+// Poses farther from rest, or nearer to it. rest: C; poses: N x C.
+template <class S>
+void exaggerate(Span<const Vec3<S>> rest, S energy, std::vector<Vec3<S>>& poses) {
+  constexpr double farther = 0.4;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Vec3<S>& from = rest[i % rest.size()];
+    poses[i] = from + (1 + S(farther) * energy) * (poses[i] - from);
   }
 }
 
