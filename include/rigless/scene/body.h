@@ -10,6 +10,7 @@
 #include "rigless/mesh/solid.h"
 #include "rigless/scene/detail/drag.h"
 #include "rigless/scene/detail/limb_turns.h"
+#include "rigless/scene/detail/soles.h"
 #include "rigless/scene/detail/trunk.h"
 
 namespace rigless {
@@ -154,6 +155,8 @@ class Body {
     turns.bind(solid_, controls, rest, limbs);
     Discs<S> pieces = detail::make_solid_pieces<S>(solid_, rest_, controls, turns.on_limb());
     if (const Status status = deformer_.set_discs(std::move(pieces)); !status.ok()) return status;
+    const detail::Bounds<S> box = detail::bounds<S>(rest_);
+    soles_.bind(limbs, turns, rest, box.low.y(), box.height());
     limbs_ = std::move(limbs);
     turns_ = std::move(turns);
     trunk_.bind(controls, rest);
@@ -169,7 +172,9 @@ class Body {
   // How nodes begin to turn; none where the surface is solved.
   Span<const Mat3<S>> rotations(Span<const Vec3<S>> targets) {
     if (!is_solid()) return {};
-    return turns_.turn(trunk_.turn(deformer_, targets), targets);
+    const Span<const Mat3<S>> turned = turns_.turn(trunk_.turn(deformer_, targets), targets);
+    soles_.lay(deformer_, targets, turns_);
+    return turned;
   }
 
   void take_shape() {
@@ -187,6 +192,7 @@ class Body {
   detail::Drag<S> drag_;
   detail::Trunk<S> trunk_;
   detail::LimbTurns<S> turns_;
+  detail::Soles<S> soles_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
   std::vector<detail::NodeMap<S>> maps_;      // N

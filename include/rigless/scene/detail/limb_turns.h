@@ -53,10 +53,19 @@ class LimbTurns {
     return on;
   }
 
+  // Whether control c lies at the tip of a limb that turns.
+  bool has(std::int32_t c) const { return find(c) != chains_.end(); }
+
+  // Of the turn of a limb's tip, a share; after turn(). No allocation.
+  Mat3<S> at_tip(std::int32_t c, S share) const { return part_of(find(c)->at_tip, share).toRotationMatrix(); }
+
   // N: how each node is turned from rest for these C targets, and for a trunk that is there. No allocation.
   Span<const Mat3<S>> turn(const TrunkMotion<S>& trunk, Span<const Vec3<S>> targets) {
     std::fill(rotations_.begin(), rotations_.end(), trunk.R);
-    for (Chain& chain : chains_) bend(chain, trunk, nth(targets, chain.control));
+    for (Chain& chain : chains_) {
+      bend(chain, trunk, nth(targets, chain.control));
+      chain.at_tip = chain.lower * chain.upper * Turn(trunk.R);
+    }
     for (const Node& node : nodes_) {
       const Chain& chain = nth(chains_, node.chain);
       nth(rotations_, node.node) =
@@ -75,11 +84,16 @@ class LimbTurns {
     Vec3<S> base, middle, tip;  // at rest
     Vec3<S> bulge;              // from the middle of base and tip to where it bends, at rest; unit
     Turn upper, lower;          // of the half at the base from the trunk, of the other from that
+    Turn at_tip;                // of both, and the trunk
   };
   struct Node {
     std::int32_t node = -1, chain = -1;
     S upper = 0, lower = 0;  // shares of those turns
   };
+
+  typename std::vector<Chain>::const_iterator find(std::int32_t c) const {
+    return std::find_if(chains_.begin(), chains_.end(), [c](const Chain& chain) { return chain.control == c; });
+  }
 
   static Node node_at(std::int32_t node, std::int32_t chain, S along) {
     return {node, chain, until(S(1), along), until(S(0.5), along)};
@@ -102,14 +116,13 @@ class LimbTurns {
 
   // Bends as it rests bent; a straight leg as a knee does, and what does not stand as an elbow of an arm that hangs.
   RIGLESS_COLD static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip) {
-    Chain chain{control, limb.base, limb.middle, tip, Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity()};
+    Chain chain{control, limb.base, limb.middle, tip, Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity(), Turn::Identity()};
     const Vec3<S> way = (tip - limb.base).normalized();
     const Vec3<S> off = limb.middle - limb.base - way * way.dot(limb.middle - limb.base);
     if (off.norm() > S(0.08) * limb.length) {
       chain.bulge = off.normalized();
     } else {
-      const bool leg = limb.base.y() - tip.y() > S(0.8) * limb.length;
-      const Vec3<S> hanging = leg ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-Vec3<S>::UnitZ());
+      const Vec3<S> hanging = is_leg(limb, tip) ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-Vec3<S>::UnitZ());
       chain.bulge = shortest_arc<S>(-Vec3<S>::UnitY(), way) * hanging;
     }
     return chain;

@@ -14,6 +14,12 @@ bool is_stump(const Limb<S>& limb, S cell) {
   return limb.length > S(0) && limb.length * limb.length < S(6) * limb.girth * cell;
 }
 
+// Whether a limb stands: its tip is almost as far below its base as it is long.
+template <class S>
+bool is_leg(const Limb<S>& limb, const Vec3<S>& tip) {
+  return limb.base.y() - tip.y() > S(0.8) * limb.length;
+}
+
 // C: limbs that are known, but none that would tear at the body: of whose outer half more than a fifth has grown
 // together with it. Legs may. Allocates.
 template <class S>
