@@ -43,7 +43,7 @@ export async function openPage(html, { outside = false, stay = false } = {}) {
   const url = `${BASE}authoring/figures/${html}`;
   return {
     async call(name, input) {
-      if (!stay || page.url() !== url) await page.goto(url);
+      if (!stay || page.url() !== url) await page.goto(url, { timeout: 120_000 });
       await page.waitForFunction((key) => key in window, name, { timeout: 60_000 });
       return page.evaluate(([key, value]) => window[key](value), [name, input]);
     },

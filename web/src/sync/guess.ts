@@ -26,7 +26,7 @@ const PART: Partial<Record<BodyPoint["role"], BodyPart>> = {
   hand: "hand",
   elbow: "lower_arm",
   foot: "foot",
-  foreleg: "foot",
+  foreleg: "hand",
   knee: "lower_leg",
   chest: "chest",
   hips: "hips",
@@ -78,12 +78,12 @@ export function guessProject(
 /** From head to foot, left before right. */
 const rank = ({ role, side }: BodyPoint): number => 2 * ROLES.indexOf(role) + (side === "right" ? 1 : 0);
 
-/** A body on four legs trots: a foreleg goes with the foot across. */
-function jointOf(point: BodyPoint, joints: readonly Joint[]): Joint | undefined {
-  const part = PART[point.role];
-  const across = point.side === "left" ? "right" : "left";
-  const side = point.role === "foreleg" ? across : point.side;
-  return part && joints.find((joint) => joint.part === part && joint.side === side);
+/** A foreleg is a hand on the ground; where there is no hand it goes with the foot across. */
+function jointOf({ role, side }: BodyPoint, joints: readonly Joint[]): Joint | undefined {
+  const find = (part: BodyPart | undefined, on: BodyPoint["side"]) => joints.find((joint) => joint.part === part && joint.side === on);
+  const part = PART[role];
+  const across = side === "left" ? "right" : "left";
+  return part && (find(part, side) ?? (role === "foreleg" ? find("foot", across) : undefined));
 }
 
 /** "Left hand", "Tip", "Tip 2" */

@@ -12,6 +12,7 @@
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/motion/joint_roles.h"
+#include "rigless/retarget/detail/foreleg.h"
 
 namespace rigless::detail {
 
@@ -98,6 +99,19 @@ class StarterFigure {
     const Vec3<S>&l = pose[left], &r = pose[right];
     const S leg = std::max(nth(limbs_, left).reach, S(1e-6));
     return std::tanh((l.z() - r.z() - S(1.5) * (l.x() + r.x())) / leg);
+  }
+
+  // Of a limb that is an arm: how far its hand is raised, see detail::raised(). No allocation.
+  S raised(const Vec3<S>* pose, const FollowedLimb<S>& arm) const {
+    return detail::raised(pose, arm.base == roles_.left.shoulder ? roles_.left : roles_.right);
+  }
+
+  // Of a limb that is an arm: from the hip across to its ankle, in lengths of that leg; straight down where there is
+  // none. No allocation.
+  Vec3<S> across(const Vec3<S>* pose, const FollowedLimb<S>& arm) const {
+    const LimbRoles& leg = arm.base == roles_.left.shoulder ? roles_.right : roles_.left;
+    if (leg.hip < 0 || leg.ankle < 0) return -Vec3<S>::UnitY();
+    return (pose[leg.ankle] - pose[leg.hip]) / std::max(nth(limbs_, leg.ankle).reach, S(1e-6));
   }
 
   // How the head is turned on the trunk, from how it mostly is. No allocation.

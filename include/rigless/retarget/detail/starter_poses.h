@@ -18,6 +18,7 @@ template <class S>
 struct LimbOptions {
   S lean = S(0.9);  // how much a trunk leans with the human's
   S nod = S(1.3);   // how much a head turns with the human's, whose neck is all that is known
+  S rear = S(0.5);  // radians by which a body on four legs rears when both hands are raised
   S wave = S(0.5);  // how far the tail of a body without legs goes aside, in lengths from its hips
 };
 
@@ -25,7 +26,8 @@ struct LimbOptions {
 // human's does and is as far stretched, whatever pose the model rests in: an arm that rests level hangs when the human
 // lets his hang. It starts where the trunk carries its base. The trunk leans and turns with the human's about the hips,
 // which stay where they are; a leg goes with the human's from the straight one on which the model rests, so that a
-// stance stays as wide as it is.
+// stance stays as wide as it is. A foreleg is a leg that goes with the foot across, until the human raises its hand:
+// then it is lifted before the body, which rears.
 template <class S>
 class StarterPoses {
  public:
@@ -45,9 +47,10 @@ class StarterPoses {
     const ModelLimb<S>& own = limbs_[c];
     switch (limb.part) {
       case FollowedPart::arm:
+        if (is_foreleg(c)) return foreleg(pose, c);
         return carried(pose, own.base) + own.length * swung(along(pose, c), own, rest);
       case FollowedPart::leg:
-        return rest + own.length * (along(pose, c) + Vec3<S>::UnitY());
+        return stepped(along(pose, c), c);
       case FollowedPart::head: {
         const Eigen::Quaternion<S> nod = figure_.nod(pose), none = Eigen::Quaternion<S>::Identity();
         return carried(pose, own.base + none.slerp(options_.nod, nod) * (rest - own.base)) + waved(pose, c);
@@ -65,6 +68,36 @@ class StarterPoses {
     return (pose[pairs_[c]] - pose[limb.base]) / std::max(limb.reach, S(1e-6));
   }
 
+  // A leg from the straight one on which the model rests.
+  Vec3<S> stepped(const Vec3<S>& leg, std::size_t c) const {
+    return model_.rest[c] + limbs_[c].length * (leg + Vec3<S>::UnitY());
+  }
+
+  bool is_foreleg(std::size_t c) const {
+    return follows_[c].part == FollowedPart::arm && on_all_fours_ &&
+           rests_on_ground(model_.rest[c], model_.floor, model_.height);
+  }
+
+  RIGLESS_COLD Vec3<S> foreleg(const Vec3<S>* pose, std::size_t c) const {
+    const ModelLimb<S>& own = limbs_[c];
+    const Vec3<S> hand = along(pose, c), step = stepped(figure_.across(pose, follows_[c]), c);
+    const Vec3<S> way(S(0.4) * hand.x(), S(0.4) * hand.y() - S(0.2), S(0.5) + S(0.4) * std::abs(hand.z()));
+    const S reach = S(0.85) * std::min(own.length, (model_.rest[c] - own.base).norm());
+    const Vec3<S> lifted = carried(pose, own.base) + reach * way.normalized();
+    return step + figure_.raised(pose, follows_[c]) * (lifted - step);
+  }
+
+  // The mean of its forelegs' hands; 0 for a body without.
+  RIGLESS_COLD S reared(const Vec3<S>* pose) const {
+    S sum = 0, count = 0;
+    for (std::size_t c = 0; c < follows_.size(); ++c) {
+      if (!is_foreleg(c)) continue;
+      sum += figure_.raised(pose, follows_[c]);
+      count += S(1);
+    }
+    return sum / std::max(count, S(1));
+  }
+
   // A stump that pointed where an arm does would go into the body: it gives way only so far.
   static Vec3<S> swung(const Vec3<S>& along, const ModelLimb<S>& own, const Vec3<S>& rest) {
     const Vec3<S> way = own.swing * along.normalized() + (S(1) - own.swing) * (rest - own.base).normalized();
@@ -73,11 +106,13 @@ class StarterPoses {
 
   // Where the hips are held, else what is below the lowest control that does not stand, within reason.
   RIGLESS_COLD void find_hips() {
-    S high = model_.height, feet = 0;
+    S high = model_.height, feet = 0, hands = 0;
     hips_ = Vec3<S>::Zero();
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
+      const bool low = rests_on_ground(model_.rest[c], model_.floor, model_.height);
       feet += follows_[c].part == FollowedPart::leg ? S(1) : S(0);
-      if (follows_[c].part != FollowedPart::leg && !is_foot(model_, c))
+      hands += follows_[c].part == FollowedPart::arm && low ? S(1) : S(0);
+      if (follows_[c].part != FollowedPart::leg && !is_foot(model_, c) && !low)
         high = std::min(high, model_.rest[c].y() - model_.floor);
     }
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
@@ -86,7 +121,7 @@ class StarterPoses {
       high = hips_.y() - model_.floor;
     }
     hips_.y() = model_.floor + std::clamp(high, S(0.2) * model_.height, S(0.55) * model_.height);
-    on_all_fours_ = feet > S(2);
+    on_all_fours_ = feet > S(0) && feet + hands > S(2);
     if (feet > S(0)) return;
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
       const Vec3<S> way = model_.rest[c] - hips_;
@@ -110,11 +145,12 @@ class StarterPoses {
     const Vec3<S>&rest = model_.rest[c], &tip = model_.rest[end];
     const bool known = limb.length > S(0);
     const S height = model_.height;
-    switch (follows_[c].part) {
+    switch (is_foreleg(c) ? FollowedPart::leg : follows_[c].part) {
       case FollowedPart::leg: {
         // Seen from its tip a leg ends where it meets the other; it swings from the hips.
         const S hips = std::max(hips_.y() - tip.y(), S(0.1) * height);
         limb.length = std::clamp(known ? limb.base.y() - tip.y() : hips, S(0.75) * hips, hips);
+        if (!known) limb.base = tip + limb.length * Vec3<S>::UnitY();
         break;
       }
       case FollowedPart::arm: {
@@ -162,8 +198,9 @@ class StarterPoses {
         std::min(S(1), arm.norm() / (S(0.25) * height)) * above * options_.lean * (on_all_fours_ ? S(0.4) : S(1));
     const S most = on_all_fours_ ? S(0.25) : swims_ ? S(0.6) : S(1.2);
     const auto held = [&](S angle, S limit) { return limit * std::tanh(share * angle / limit); };
-    const S pitch = swims_ ? S(0.3) : most;
-    return hips_ + trunk_rotation<S>({held(human.pitch, pitch), held(human.roll, most), held(human.twist, most)}) * arm;
+    const S pitch = swims_ ? S(0.3) : most, rear = share * options_.rear * reared(pose);
+    return hips_ +
+           trunk_rotation<S>({held(human.pitch, pitch) - rear, held(human.roll, most), held(human.twist, most)}) * arm;
   }
 
   Span<const std::int32_t> pairs_;  // C

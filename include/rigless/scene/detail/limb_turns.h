@@ -116,7 +116,8 @@ class LimbTurns {
 
   // Bends as it rests bent; a straight leg as a knee does, and what does not stand as an elbow of an arm that hangs.
   RIGLESS_COLD static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip) {
-    Chain chain{control, limb.base, limb.middle, tip, Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity(), Turn::Identity()};
+    Chain chain{control,          limb.base,        limb.middle,      tip,
+                Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity(), Turn::Identity()};
     const Vec3<S> way = (tip - limb.base).normalized();
     const Vec3<S> off = limb.middle - limb.base - way * way.dot(limb.middle - limb.base);
     if (off.norm() > S(0.08) * limb.length) {

@@ -31,8 +31,8 @@ inline std::vector<std::int32_t> find_joints(const Skeleton& skeleton, const Joi
   return joints;
 }
 
-// The joint that moves a point of the body, or -1: the whole pose. A body on four legs trots: a foreleg goes with the
-// foot across. No allocation.
+// The joint that moves a point of the body, or -1: the whole pose. A foreleg is a hand on the ground, or
+// goes with the foot across where there is no hand. No allocation.
 template <class S>
 std::int32_t joint_of_point(const JointRoles& roles, const BodyPoint<S>& point) {
   if (point.role == BodyRole::head) return roles.head;
@@ -42,10 +42,10 @@ std::int32_t joint_of_point(const JointRoles& roles, const BodyPoint<S>& point) 
   const LimbRoles& near = point.side > 0 ? roles.left : roles.right;
   const LimbRoles& across = point.side > 0 ? roles.right : roles.left;
   if (point.role == BodyRole::hand) return near.hand;
+  if (point.role == BodyRole::foreleg) return near.hand >= 0 ? near.hand : across.ankle;
   if (point.role == BodyRole::elbow) return near.elbow;
   if (point.role == BodyRole::foot) return near.ankle;
   if (point.role == BodyRole::knee) return near.knee;
-  if (point.role == BodyRole::foreleg) return across.ankle;
   return -1;
 }
 

@@ -1,5 +1,5 @@
-// Feet on the ground lie flat, whatever their legs do: without it a knee that bends lifts the heel, and a body dances on
-// the tips of its toes.
+// Feet on the ground lie flat, whatever their legs do: without it a knee that bends lifts the heel, and a body dances
+// on the tips of its toes.
 #pragma once
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rigless/math/span.h"
+#include "rigless/retarget/detail/foreleg.h"
 #include "rigless/scene/staged_motion.h"
 
 namespace rigless::detail {
@@ -16,30 +17,44 @@ struct StandingControls {
   std::vector<S> ground;              // K, rest height above the lowest vertex
 };
 
-// Whether `joint` is the ankle of a limb or hangs on it.
-inline bool belongs_to_foot(const Skeleton& skeleton, const LimbRoles& limb, std::int32_t joint) {
-  if (limb.ankle < 0) return false;
+// Whether `joint` is another, or hangs on it.
+inline bool hangs_on(const Skeleton& skeleton, std::int32_t other, std::int32_t joint) {
+  if (other < 0) return false;
   for (; joint >= 0; joint = nth(skeleton.parents, joint)) {
-    if (joint == limb.ankle) return true;
+    if (joint == other) return true;
   }
   return false;
 }
 
-// Controls that are paired with a joint of a foot stand when that foot does. A body without any (a cactus, a cup)
-// stands on its lowest controls, those within 5 % of its height of the lowest at rest, when either foot does; but one
-// that is held at its hips swims, crawls or flies where the human goes. rest: C; floor: y of the lowest vertex at rest;
-// height: of the mesh. Allocates.
+// Controls that are paired with a joint of a foot stand when that foot does; beside them a hand that rests on the
+// ground stands as a foreleg does: when the foot across does and the human's hand is not raised. A body without any (a
+// cactus, a cup) stands on its lowest controls, those within 5 % of its height of the lowest at rest, when either foot
+// does; but one that is held at its hips swims, crawls or flies where the human goes. rest: C; floor: y of the lowest
+// vertex at rest; height: of the mesh. Allocates.
 template <class S>
 StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
                                       Span<const Vec3<S>> rest, S floor, S height) {
+  struct Foot {
+    bool left, right;                // which foot it follows
+    const LimbRoles* arm = nullptr;  // of a foreleg
+  };
   StandingControls<S> standing;
-  std::vector<std::array<bool, 2>> feet;  // K: follows the left, the right foot
+  std::vector<Foot> feet;  // K
+  const Skeleton& skeleton = motion.clip.skeleton;
+  const LimbRoles &l = motion.roles.left, &r = motion.roles.right;
+  const auto on_foot = [&](std::int32_t joint) {
+    return hangs_on(skeleton, l.ankle, joint) || hangs_on(skeleton, r.ankle, joint);
+  };
+  const bool has_feet = std::any_of(pairs.begin(), pairs.end(), on_foot);
   for (std::size_t c = 0; c < pairs.size(); ++c) {
-    const bool left = belongs_to_foot(motion.clip.skeleton, motion.roles.left, pairs[c]);
-    const bool right = belongs_to_foot(motion.clip.skeleton, motion.roles.right, pairs[c]);
-    if (!left && !right) continue;
+    Foot foot{hangs_on(skeleton, l.ankle, pairs[c]), hangs_on(skeleton, r.ankle, pairs[c])};
+    if (has_feet && rests_on_ground(rest[c], floor, height)) {
+      if (hangs_on(skeleton, l.shoulder, pairs[c])) foot = {false, true, &l};
+      if (hangs_on(skeleton, r.shoulder, pairs[c])) foot = {true, false, &r};
+    }
+    if (!foot.left && !foot.right) continue;
     standing.control.push_back(static_cast<std::int32_t>(c));
-    feet.push_back({left, right});
+    feet.push_back(foot);
   }
   if (standing.control.empty() && !rest.empty()) {
     const bool glides = std::find(pairs.begin(), pairs.end(), 0) != pairs.end();
@@ -48,14 +63,16 @@ StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const 
     for (std::size_t c = 0; c < rest.size(); ++c) {
       if (rest[c].y() > lowest + S(0.05) * height) continue;
       standing.control.push_back(static_cast<std::int32_t>(c));
-      feet.push_back({!glides, !glides});
+      feet.push_back({!glides, !glides, nullptr});
     }
   }
   for (const std::int32_t c : standing.control) standing.ground.push_back(nth(rest, c).y() - floor);
   for (std::size_t f = 0; f < motion.left.size(); ++f) {
-    for (const auto& [left, right] : feet) {
+    const Vec3<S>* pose = &motion.local[f * skeleton.names.size()];
+    for (const auto& [left, right, arm] : feet) {
       const bool on = (left && motion.left[f] != 0) || (right && motion.right[f] != 0);
-      standing.labels.push_back(on ? 1 : 0);
+      const bool lifted = arm != nullptr && raised(pose, *arm) > S(0.1);
+      standing.labels.push_back(on && !lifted ? 1 : 0);
     }
   }
   return standing;
