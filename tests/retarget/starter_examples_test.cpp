@@ -258,3 +258,28 @@ TEST_CASE("starter examples: one frame gives one, bad data none") {
   CHECK(status.where == 2);
   CHECK(examples.controls.size() == 4);
 }
+
+TEST_CASE("starter examples: a foreleg steps with the foot across until the hand is raised, then the body rears") {
+  const std::vector<std::int32_t> joints = {hand, left_foot, right_foot, -1};
+  const std::vector<Vec3<double>> dog = {{0.2, 0, 0.8}, {0.2, 0, -0.5}, {-0.2, 0, -0.5}, {0, 1, 0.8}};
+  const std::vector<rigless::ModelLimb<double>> limbs = {{{0.2, 0.8, 0.8}, 0.8, 1}, {}, {}, {}};
+  const detail::StarterModel<double> model = {dog, 0, 1.2, {}, limbs};
+  const auto place = [&](const std::vector<Vec3<double>>& pose) {
+    return started<double>(pose, model, {}, joints).controls;
+  };
+  std::vector<Vec3<double>> step = standing();
+  step[right_foot] += Vec3<double>(0, 0.1, 0.3);
+  const auto still = place(standing()), stepping = place(step);
+  CHECK((still[0] - dog[0]).norm() < 1e-6);
+  CHECK((stepping[0] - dog[0] - (stepping[2] - dog[2])).norm() < 1e-6);
+  CHECK(stepping[0].z() > dog[0].z() + 0.1);
+
+  std::vector<Vec3<double>> up = standing();
+  up[elbow] = up[shoulder] + Vec3<double>(0, 0.3, 0);
+  up[hand] = up[elbow] + Vec3<double>(0, 0.3, 0);
+  const auto raised = place(up);
+  CHECK(raised[0].y() > 0.5);
+  CHECK(raised[0].z() > dog[0].z() + 0.3);
+  CHECK(raised[3].y() > dog[3].y() + 0.1);
+  CHECK((raised[1] - dog[1]).norm() < 1e-6);
+}

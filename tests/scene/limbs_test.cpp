@@ -169,3 +169,25 @@ TEST_CASE("limbs that turn do not allocate") {
   held.body.act(targets, 1);
   CHECK(test::allocation_count == before);
 }
+
+TEST_CASE("a foot on the ground lies flat while its knee bends, a lifted one turns with its leg") {
+  Held held(build_blocks<float>(block_human));
+  constexpr std::size_t left = 4, right = 5;
+  const auto lean = [&](std::size_t foot) {  // of its sole, radians
+    const Mat3<float>& turn = held.body.deformer().disc_rotations()[foot];
+    return std::acos(std::min(turn(1, 1), 1.0f));
+  };
+  std::vector<Vec3f> targets = held.rest;
+  for (const std::size_t foot : {left, right}) targets[foot] += Vec3f(0, 5, 3);
+  held.body.act(targets, 1);
+  CHECK(lean(left) < 1e-3f);
+  CHECK(lean(right) < 1e-3f);
+  targets[right] = held.rest[right];
+  held.body.act(targets, 1);
+  CHECK(lean(left) > 0.2f);
+  CHECK(lean(right) < 1e-3f);
+  const auto before = test::allocation_count;
+  REQUIRE(held.body.drag(targets, 1, false).ok());
+  CHECK(test::allocation_count == before);
+  CHECK(lean(left) > 0.2f);
+}

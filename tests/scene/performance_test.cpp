@@ -398,3 +398,36 @@ TEST_CASE("a staged motion stands on the floor and begins over the origin") {
   CHECK(status.where == 7);
   CHECK(motion.clip.frames == 60);
 }
+
+TEST_CASE("a foreleg stands with the foot across, but not while the human's hand is raised") {
+  Clip<double> clip = walk(240, 0);
+  clip.skeleton.names.insert(clip.skeleton.names.end(), {"LeftArm", "RightArm"});
+  clip.skeleton.parents.insert(clip.skeleton.parents.end(), {0, 0});
+  clip.skeleton.parents[10] = 12;
+  clip.skeleton.parents[11] = 13;
+  std::vector<Vec3d> positions;
+  for (std::int32_t f = 0; f < clip.frames; ++f) {
+    const auto* pose = &clip.positions[to_size(f) * 12];
+    positions.insert(positions.end(), pose, pose + 12);
+    const Vec3d left = pose[0] + Vec3d(0.2, 0.5, 0), right = pose[0] + Vec3d(-0.2, 0.5, 0);
+    Vec3d* hands = &positions[to_size(f) * 14 + 10];
+    hands[0] = left + Vec3d(0, f < 120 ? -0.6 : 0.6, 0);
+    hands[1] = right + Vec3d(0, -0.6, 0);
+    positions.insert(positions.end(), {left, right});
+  }
+  clip.positions = positions;
+  Stick stick;
+  REQUIRE(stage(clip, stick.motion).ok());
+  REQUIRE(stick.motion.roles.left.shoulder == 12);
+  stick.pairs = {10, 11, 3, 7};  // hands, feet
+  stick.rest = {{0.2, 0.02, 1}, {-0.2, 0.02, 1}, {0.2, 0, 0}, {-0.2, 0, 0}};
+  const auto standing = standing_controls<double>(stick.motion, stick.pairs, stick.rest, 0.0, 1.7);
+  REQUIRE(standing.control == std::vector<std::int32_t>{0, 1, 2, 3});
+  int stood = 0;
+  for (std::size_t f = 0; f < stick.motion.left.size(); ++f) {
+    CHECK(standing.labels[4 * f] == (f < 30 ? stick.motion.right[f] : 0));
+    CHECK(standing.labels[4 * f + 1] == stick.motion.left[f]);
+    stood += standing.labels[4 * f];
+  }
+  CHECK(stood > 5);
+}

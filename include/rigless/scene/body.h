@@ -8,6 +8,7 @@
 #include "rigless/mesh/detail/node_maps.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
+#include "rigless/retarget/detail/foreleg.h"
 #include "rigless/scene/detail/drag.h"
 #include "rigless/scene/detail/limb_turns.h"
 #include "rigless/scene/detail/soles.h"
@@ -39,6 +40,7 @@ class Body {
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
+    supports_.clear();
     limbs_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
     volume_ = is_solid() ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
@@ -93,11 +95,11 @@ class Body {
     return maps_;
   }
 
-  // y of the lowest vertex, as the last drag() or act() left them. No allocation.
+  // y of the lowest vertex that is not of a thing in a hand, as the last drag() or act() left them. No allocation.
   S lowest() const {
     S lowest = std::numeric_limits<S>::max();
     if (is_solid()) {
-      for (const std::int32_t v : outermost_)
+      for (const std::int32_t v : supports_.empty() ? outermost_ : supports_)
         lowest = std::min(
             lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v), transforms_.data()).y());
       return lowest;
@@ -153,14 +155,25 @@ class Body {
         detail::find_limbs<S>(solid_, controls, rest, detail::bounds<S>(rest_).height());
     detail::LimbTurns<S> turns;
     turns.bind(solid_, controls, rest, limbs);
-    Discs<S> pieces = detail::make_solid_pieces<S>(solid_, rest_, controls, turns.on_limb());
+    Discs<S> pieces = detail::make_solid_pieces<S>(solid_, rest_, controls, turns.on_limb(), turns.in_hand());
     if (const Status status = deformer_.set_discs(std::move(pieces)); !status.ok()) return status;
     const detail::Bounds<S> box = detail::bounds<S>(rest_);
     soles_.bind(limbs, turns, rest, box.low.y(), box.height());
+    find_supports(turns.in_hand(), rest, box);
     limbs_ = std::move(limbs);
     turns_ = std::move(turns);
     trunk_.bind(controls, rest);
     return {};
+  }
+
+  // A body stands on its feet, not on the sword in its hand.
+  RIGLESS_COLD void find_supports(Span<const std::int32_t> in_hand, Span<const Vec3<S>> rest,
+                                  const detail::Bounds<S>& box) {
+    supports_.clear();
+    for (const std::int32_t v : outermost_) {
+      const std::int32_t c = nth(in_hand, nth(solid_.element, nth(solid_.element_of, v))[0]);
+      if (c < 0 || detail::rests_on_ground(nth(rest, c), box.low.y(), box.height())) supports_.push_back(v);
+    }
   }
 
   RIGLESS_COLD std::vector<Vec3<S>> at_rest(Span<const Control<S>> controls) const {
@@ -197,6 +210,7 @@ class Body {
   std::vector<NodeTransform<S>> transforms_;  // N
   std::vector<detail::NodeMap<S>> maps_;      // N
   std::vector<std::int32_t> outermost_;       // vertices of a solid's mesh, of which one is lowest
+  std::vector<std::int32_t> supports_;        // those that may stand on the ground
   std::vector<Vec3<S>> carried_;              // V
   bool carried_is_new_ = false;
 };

@@ -36,9 +36,10 @@ const SAID: ShapeAnalysis = {
 };
 
 describe("guessing points", () => {
-  it("pairs by role, whatever the skeleton calls its joints; forelegs go with the foot across", () => {
+  it("pairs by role, whatever the skeleton calls its joints; a foreleg is a hand, or goes with the foot across", () => {
     const pairs = (...names: string[]) => guessPoints(MODEL, SAID, namedJoints(...names)).points.map((p) => p.joint);
     expect(pairs("Hips", "LeftFoot", "RightFoot", "Head")).toEqual(["Head", "RightFoot", "LeftFoot", "RightFoot", null]);
+    expect(pairs("LeftHand", "RightHand", "LeftFoot", "RightFoot")).toEqual([null, "LeftHand", "LeftFoot", "RightFoot", null]);
     expect(pairs("root", "lfemur", "ltibia", "lfoot", "rtibia", "rfoot", "head")).toEqual(["head", "rtibia", "ltibia", "rtibia", null]);
     expect(pairs("mixamorig:LeftFoot", "mixamorig:RightFoot")).toEqual([
       null,

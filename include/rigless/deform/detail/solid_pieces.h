@@ -28,10 +28,12 @@ Status check_controls(const Solid<S>& solid, Span<const Control<S>> controls) {
 }
 
 // Nodes that are connected with the control's element inside its ball or slab; y is up. A node belongs to the nearest
-// control. rest: V, the model's vertices; controls: checked; on_limb: N, not 0 for nodes that no slab takes. Allocates.
+// control. rest: V, the model's vertices; controls: checked; on_limb: N, not 0 for nodes that no slab takes; in_hand:
+// N, a control that holds a node wherever it is, or -1. Allocates.
 template <class S>
 RIGLESS_COLD Discs<S> make_solid_pieces(const Solid<S>& solid, Span<const Vec3<S>> rest,
-                                        Span<const Control<S>> controls, Span<const char> on_limb) {
+                                        Span<const Control<S>> controls, Span<const char> on_limb,
+                                        Span<const std::int32_t> in_hand) {
   Discs<S> discs;
   discs.owner.assign(solid.rest.size(), -1);
   std::vector<S> nearest(solid.rest.size(), std::numeric_limits<S>::max());
@@ -62,6 +64,7 @@ RIGLESS_COLD Discs<S> make_solid_pieces(const Solid<S>& solid, Span<const Vec3<S
       for (std::int32_t e = solid.ring.first[i]; e < solid.ring.first[i + 1]; ++e) {
         const std::int32_t j = nth(solid.ring.neighbor, e);
         const Vec3<S>& p = nth(solid.rest, j);
+        if (nth(in_hand, j) == self) take(j, S(0));
         if (holds(p) && !(controls[c].slab && nth(on_limb, j) != 0)) take(j, (p - center).norm());
       }
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rigless/math/detail/rotation.h"
+#include "rigless/scene/detail/held_things.h"
 #include "rigless/scene/detail/limbs.h"
 #include "rigless/scene/detail/trunk.h"
 
@@ -42,6 +43,11 @@ class LimbTurns {
     const TrunkShape<S> trunk = find_trunk(solid, controls, rest);
     for (const auto& [node, chain, along] : find_limb_nodes<S>(solid, bones, trunk, S(1) + blur))
       if (!(nth(limbs, nth(chains_, chain).control).reach > S(0))) nth(found, node) = node_at(node, chain, along);
+    in_hand_.assign(solid.rest.size(), -1);
+    for (const auto& [node, chain, along] : find_held_things<S>(solid, bones, trunk, S(1) + blur)) {
+      nth(found, node) = node_at(node, chain, along);
+      if (along < hand) nth(in_hand_, node) = nth(chains_, chain).control;
+    }
     for (const Node& node : found)
       if (node.chain >= 0) nodes_.push_back(node);
   }
@@ -52,6 +58,9 @@ class LimbTurns {
     for (const Node& node : nodes_) nth(on, node.node) = node.upper > S(0.5) ? 1 : 0;
     return on;
   }
+
+  // N: the control at the tip of the limb that holds a node as a hand does, or -1.
+  Span<const std::int32_t> in_hand() const { return in_hand_; }
 
   // Whether control c lies at the tip of a limb that turns.
   bool has(std::int32_t c) const { return find(c) != chains_.end(); }
@@ -78,6 +87,8 @@ class LimbTurns {
   using Turn = Eigen::Quaternion<S>;
 
   static constexpr S blur = S(0.15);  // of a limb's reach: over so much its turn begins, and changes at its middle
+
+  static constexpr S hand = S(0.2);  // of a limb: what hangs on it there is held as one piece
 
   struct Chain {
     std::int32_t control;
@@ -145,8 +156,9 @@ class LimbTurns {
   }
 
   std::vector<Chain> chains_;
-  std::vector<Node> nodes_;         // those that limbs turn
-  std::vector<Mat3<S>> rotations_;  // N
+  std::vector<Node> nodes_;            // those that limbs turn
+  std::vector<std::int32_t> in_hand_;  // N
+  std::vector<Mat3<S>> rotations_;     // N
 };
 
 }  // namespace rigless::detail
