@@ -22,7 +22,7 @@ std::int32_t joint(const Clip<S>& clip, const std::string& name) {
   return static_cast<std::int32_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-void check_small(const Clip<double>& clip) {
+void check_small_asf(const Clip<double>& clip) {
   REQUIRE(clip.frames == 2);
   REQUIRE(clip.skeleton.names == std::vector<std::string>{"root", "thigh", "shin"});
   CHECK(clip.fps == 120);
@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("ASF/AMC joints, yaw and body-local joints match the golden m
 TEST_CASE("the small ASF/AMC pair, in every guise") {
   Clip<double> clip;
   REQUIRE(parse_acclaim(small_asf, small_amc, clip).ok());
-  check_small(clip);
+  check_small_asf(clip);
   const std::string asf(small_asf);
   const std::string amc(small_amc);
   const std::pair<std::string, std::string> guises[] = {
@@ -103,12 +103,12 @@ TEST_CASE("the small ASF/AMC pair, in every guise") {
     CAPTURE(motion);
     Clip<double> guise;
     REQUIRE(parse_acclaim<double>(skeleton, motion, guise).ok());
-    check_small(guise);
+    check_small_asf(guise);
   }
   const std::string radians =
       replaced(replaced(asf, "angle deg", "angle rad"), "0 0 90 XYZ", "0 0 1.5707963267948966 XYZ");
   REQUIRE(parse_acclaim<double>(radians, amc, clip).ok());
-  check_small(clip);
+  check_small_asf(clip);
 }
 
 TEST_CASE("dofs turn first to last about the bone's own axes") {

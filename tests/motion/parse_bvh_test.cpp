@@ -20,7 +20,7 @@ Status parse(const std::string& text) {
   return parse_bvh<double>(text, clip);
 }
 
-void check_small(const Clip<double>& clip) {
+void check_small_bvh(const Clip<double>& clip) {
   REQUIRE(clip.frames == 2);
   REQUIRE(clip.joints() == 4);
   CHECK(clip.skeleton.parents == std::vector<std::int32_t>{-1, 0, 1, 0});
@@ -71,7 +71,7 @@ TEST_CASE("BVH files met elsewhere parse whole" * test::needs_shared()) {
 TEST_CASE("the small BVH file, in every guise") {
   Clip<double> clip;
   REQUIRE(parse_bvh(small_bvh, clip).ok());
-  check_small(clip);
+  check_small_bvh(clip);
   CHECK(clip.fps == doctest::Approx(25));
   CHECK(clip.skeleton.names == std::vector<std::string>{"Hips", "Knee", "Knee_end", "Tail"});
 
@@ -103,7 +103,7 @@ TEST_CASE("the small BVH file, in every guise") {
     CAPTURE(text);
     Clip<double> guise;
     REQUIRE(parse_bvh(text, guise).ok());
-    check_small(guise);
+    check_small_bvh(guise);
   }
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("what is odd but usable is used, and noted") {
   two = replaced(replaced(two, "0 0 0 0 0 0 0\n", "0 0 0 0 0 0 0 7\n"), "0 0 90\n", "0 0 90 7\n");
   REQUIRE(parse_bvh(two, clip, &notes).ok());
   CHECK(notes.roots == 2);
-  check_small(clip);
+  check_small_bvh(clip);
 
   REQUIRE(parse_bvh(replaced(replaced(small_bvh, "Tail", "Knee"), "ROOT Hips", "ROOT"), clip, &notes).ok());
   CHECK(clip.skeleton.names == std::vector<std::string>{"joint", "Knee", "Knee_end", "Knee_2"});
@@ -181,11 +181,11 @@ TEST_CASE("what lines of a BVH file lack or have too much is noted") {
     CHECK(clip.at(3, 1).isApprox(Vec3<double>(10, 21, 30)));
   }
   REQUIRE(parse_bvh(head + "1 " + row + "2 " + last, clip, &notes).ok());
-  check_small(clip);
+  check_small_bvh(clip);
   CHECK(notes.frame_numbers);
   CHECK(notes.rows_replaced == 0);
   REQUIRE(parse_bvh(replaced(head, "Frames: 2", "Frames: 3") + row + last + "1 2 3", clip, &notes).ok());
-  check_small(clip);
+  check_small_bvh(clip);
   CHECK(notes.frame_cut);
 
   REQUIRE(parse_bvh(replaced(small_bvh, "Time: 0.04", "Time: 40"), clip, &notes).ok());
@@ -198,7 +198,7 @@ TEST_CASE("what lines of a BVH file lack or have too much is noted") {
   for (const int stretched : {0, 1}) {
     const std::string frames = "0 0 0 0 0 0 0 1\n10 20 30 90 0 0 90 " + std::to_string(1 + stretched) + "\n";
     REQUIRE(parse_bvh(replaced(scaled, row + last, frames), clip, &notes).ok());
-    check_small(clip);
+    check_small_bvh(clip);
     CHECK(notes.lengths_ignored == stretched);
   }
 }

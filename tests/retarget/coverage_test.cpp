@@ -12,7 +12,7 @@ using rigless::Vec3;
 
 namespace {
 
-constexpr std::int32_t joint_count = 4;
+constexpr std::int32_t clip_joints = 4;
 const std::vector<std::int32_t> paired = {1, 2, 3};
 
 // A clip that comes by three regions of poses, one after the other.
@@ -20,7 +20,7 @@ std::vector<Vec3<double>> clip_of(std::int32_t frames) {
   std::vector<Vec3<double>> clip;
   for (std::int32_t f = 0; f < frames; ++f) {
     const double t = 3.0 * f / frames;
-    for (std::size_t j = 0; j < joint_count; ++j) {
+    for (std::size_t j = 0; j < clip_joints; ++j) {
       const double p = 1.3 * static_cast<double>(j);
       clip.emplace_back(std::sin(4 * t + p), std::cos(t * t + p), std::floor(t) * std::sin(9 * t));
     }
@@ -31,15 +31,15 @@ std::vector<Vec3<double>> clip_of(std::int32_t frames) {
 detail::PoseCoverage cover(const std::vector<Vec3<double>>& clip, const std::vector<Vec3<double>>& examples,
                            const detail::CoverageOptions& options = {}, const std::vector<std::int32_t>& mirror = {}) {
   detail::PoseCoverage coverage;
-  coverage.begin(clip, joint_count, paired, examples, mirror, options);
+  coverage.begin(clip, clip_joints, paired, examples, mirror, options);
   while (coverage.advance(7)) {
   }
   return coverage;
 }
 
 void teach(const std::vector<Vec3<double>>& clip, std::int32_t frame, std::vector<Vec3<double>>& examples) {
-  const auto first = clip.begin() + frame * joint_count;
-  examples.insert(examples.end(), first, first + joint_count);
+  const auto first = clip.begin() + frame * clip_joints;
+  examples.insert(examples.end(), first, first + clip_joints);
 }
 
 double rms(const detail::PoseCoverage& coverage) {
@@ -98,7 +98,7 @@ TEST_CASE("coverage: asked for frames cover the clip better than the farthest on
   std::vector<std::int32_t> asked, farthest;
   const auto coverage = cover(clip, {});
   for (const auto& ask : coverage.asks()) asked.push_back(ask.frame);
-  for (const auto& key : detail::suggest_key_poses<double>(clip, joint_count, paired, 8)) farthest.push_back(key.frame);
+  for (const auto& key : detail::suggest_key_poses<double>(clip, clip_joints, paired, 8)) farthest.push_back(key.frame);
   CHECK(error(asked) < error(farthest));
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("coverage: mirror images teach as well") {
   const std::vector<std::int32_t> mirror = {0, 2, 1, 3};
   std::vector<Vec3<double>> examples;
   teach(clip, 20, examples);
-  for (std::size_t j = 0; j < joint_count; ++j) {
+  for (std::size_t j = 0; j < clip_joints; ++j) {
     const Vec3<double>& p = examples[static_cast<std::size_t>(mirror[j])];
     examples.emplace_back(-p.x(), p.y(), p.z());
   }
@@ -125,7 +125,7 @@ TEST_CASE("coverage: clips of a frame or ten thousand, clips that stand still, a
     for (const auto& ask : coverage.asks()) CHECK((ask.frame >= 0 && ask.frame < frames && std::isfinite(ask.gain)));
     if (frames < 4) CHECK(coverage.want() <= frames);
   }
-  const std::vector<Vec3<double>> still(30 * joint_count, Vec3<double>(1, 2, 3));
+  const std::vector<Vec3<double>> still(30 * clip_joints, Vec3<double>(1, 2, 3));
   const auto coverage = cover(still, {});
   CHECK(coverage.want() == 1);
   CHECK(coverage.asks().size() == 1);

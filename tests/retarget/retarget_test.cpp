@@ -13,7 +13,7 @@ using rigless::Vec3;
 
 namespace {
 
-constexpr std::int32_t joint_count = 6;
+constexpr std::int32_t swinging_joints = 6;
 
 // A clip of six joints that swing and bob, and examples taken from it: a scaled body, a hand that drags imprecisely.
 template <class S>
@@ -24,7 +24,7 @@ struct Scene {
   rigless::RetargetOptions<S> options;
 
   rigless::RetargetInput<S> input() const {
-    return {clip, joint_count, pairs, {example_joints, example_controls}, constraints};
+    return {clip, swinging_joints, pairs, {example_joints, example_controls}, constraints};
   }
   std::vector<Vec3<S>> solve() const {
     std::vector<Vec3<S>> tracks;
@@ -44,7 +44,7 @@ Vec3<S> joint_at(double t, std::size_t j) {
 template <class S>
 void add_example(Scene<S>& scene, double t, std::mt19937& random, double noise = 0.02) {
   std::uniform_real_distribution<double> drag(-noise, noise);
-  for (std::size_t j = 0; j < joint_count; ++j) scene.example_joints.push_back(joint_at<S>(t, j));
+  for (std::size_t j = 0; j < swinging_joints; ++j) scene.example_joints.push_back(joint_at<S>(t, j));
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const Vec3<double> p = 0.7 * joint_at<double>(t, c + 1) + Vec3<double>(drag(random), drag(random), drag(random));
     scene.example_controls.push_back(p.template cast<S>());
@@ -56,7 +56,7 @@ Scene<S> scene_of(std::int32_t frames, std::int32_t examples, double fps = 30, s
   Scene<S> scene;
   std::mt19937 random(seed);
   for (std::int32_t f = 0; f < frames; ++f)
-    for (std::size_t j = 0; j < joint_count; ++j) scene.clip.push_back(joint_at<S>(f / fps, j));
+    for (std::size_t j = 0; j < swinging_joints; ++j) scene.clip.push_back(joint_at<S>(f / fps, j));
   for (std::int32_t n = 0; n < examples; ++n) add_example(scene, 0.37 * n, random);
   scene.options.fps = static_cast<S>(fps);
   return scene;
@@ -77,7 +77,7 @@ double worst(const std::vector<Vec3<S>>& a, const std::vector<Vec3<S>>& b) {
 template <class S>
 void check_sane(const Scene<S>& scene, const std::vector<Vec3<S>>& tracks, double extents = 3) {
   const std::size_t controls = scene.pairs.size();
-  REQUIRE(tracks.size() == scene.clip.size() / joint_count * controls);
+  REQUIRE(tracks.size() == scene.clip.size() / swinging_joints * controls);
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t e = i % controls; e < scene.example_controls.size(); e += controls)
@@ -93,8 +93,8 @@ TEST_CASE_TEMPLATE("retarget: an example's own pose gives its own controls", S, 
     auto scene = scene_of<S>(1, examples);
     CAPTURE(examples);
     for (std::int32_t n = 0; n < examples; ++n) {
-      scene.clip.assign(scene.example_joints.begin() + n * joint_count,
-                        scene.example_joints.begin() + (n + 1) * joint_count);
+      scene.clip.assign(scene.example_joints.begin() + n * swinging_joints,
+                        scene.example_joints.begin() + (n + 1) * swinging_joints);
       const auto first = scene.example_controls.begin() + n * 5;
       CHECK(worst(scene.solve(), std::vector<Vec3<S>>(first, first + 5)) <= (std::is_same_v<S, double> ? 1e-6 : 1e-5));
     }
@@ -106,12 +106,12 @@ TEST_CASE("retarget: duplicates of an example change nothing about it") {
   const auto joints = scene.example_joints;
   const auto controls = scene.example_controls;
   for (int copy = 0; copy < 2; ++copy) {
-    scene.example_joints.insert(scene.example_joints.end(), joints.begin(), joints.begin() + joint_count);
+    scene.example_joints.insert(scene.example_joints.end(), joints.begin(), joints.begin() + swinging_joints);
     scene.example_controls.insert(scene.example_controls.end(), controls.begin(), controls.begin() + 5);
   }
-  scene.clip.assign(joints.begin(), joints.begin() + joint_count);
+  scene.clip.assign(joints.begin(), joints.begin() + swinging_joints);
   CHECK(worst(scene.solve(), {controls.begin(), controls.begin() + 5}) <= 1e-6);
-  scene.clip.assign(joints.begin() + joint_count, joints.begin() + 2 * joint_count);
+  scene.clip.assign(joints.begin() + swinging_joints, joints.begin() + 2 * swinging_joints);
   CHECK(worst(scene.solve(), {controls.begin() + 5, controls.begin() + 10}) <= 1e-6);
 }
 
@@ -171,16 +171,16 @@ TEST_CASE("retarget: the rate of the clip hardly matters") {
 TEST_CASE("retarget: hostile examples give finite tracks") {
   SUBCASE("all identical") {
     auto scene = scene_of<double>(40, 5);
-    for (std::size_t i = joint_count; i < scene.example_joints.size(); ++i)
-      scene.example_joints[i] = scene.example_joints[i % joint_count];
+    for (std::size_t i = swinging_joints; i < scene.example_joints.size(); ++i)
+      scene.example_joints[i] = scene.example_joints[i % swinging_joints];
     for (std::size_t i = 5; i < scene.example_controls.size(); ++i)
       scene.example_controls[i] = scene.example_controls[i % 5];
     check_sane(scene, scene.solve(), 1e-6);
   }
   SUBCASE("same pose, contradicting controls") {
     auto scene = scene_of<double>(40, 2);
-    for (std::size_t i = joint_count; i < scene.example_joints.size(); ++i)
-      scene.example_joints[i] = scene.example_joints[i % joint_count];
+    for (std::size_t i = swinging_joints; i < scene.example_joints.size(); ++i)
+      scene.example_joints[i] = scene.example_joints[i % swinging_joints];
     const auto tracks = scene.solve();
     check_sane(scene, tracks);
     for (std::size_t c = 0; c < 5; ++c) {
@@ -196,8 +196,8 @@ TEST_CASE("retarget: hostile examples give finite tracks") {
   }
   SUBCASE("nearly the same pose twice") {
     auto scene = scene_of<double>(60, 6);
-    for (std::size_t j = 0; j < joint_count; ++j)
-      scene.example_joints[joint_count + j] = scene.example_joints[j] + Vec3<double>(1e-5, 0, -1e-5);
+    for (std::size_t j = 0; j < swinging_joints; ++j)
+      scene.example_joints[swinging_joints + j] = scene.example_joints[j] + Vec3<double>(1e-5, 0, -1e-5);
     check_sane(scene, scene.solve());
   }
   SUBCASE("no control has a joint") {
@@ -212,9 +212,9 @@ TEST_CASE("retarget: a joint that an example does not know comes from the clip")
   const auto whole = scene.solve();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t j : {std::size_t(3), std::size_t(5)})
-    scene.example_joints[2 * joint_count + j] = Vec3<double>(nan, nan, nan);
+    scene.example_joints[2 * swinging_joints + j] = Vec3<double>(nan, nan, nan);
   CHECK(worst(scene.solve(), whole) < 0.05);
-  for (std::size_t j = 0; j < joint_count; ++j) scene.example_joints[2 * joint_count + j].setConstant(nan);
+  for (std::size_t j = 0; j < swinging_joints; ++j) scene.example_joints[2 * swinging_joints + j].setConstant(nan);
   check_sane(scene, scene.solve());
 }
 
@@ -228,13 +228,13 @@ TEST_CASE("retarget: bad data is named, and the last run survives") {
     CHECK(status.where == where);
   };
   auto bad = good;
-  bad.clip[7 * joint_count + 2].x() = std::numeric_limits<double>::quiet_NaN();
+  bad.clip[7 * swinging_joints + 2].x() = std::numeric_limits<double>::quiet_NaN();
   refused(bad, rigless::Error::not_finite, 7);
   bad = good;
   bad.example_controls[2 * 5 + 1].z() = std::numeric_limits<double>::infinity();
   refused(bad, rigless::Error::not_finite, 2);
   bad = good;
-  bad.pairs[3] = joint_count;
+  bad.pairs[3] = swinging_joints;
   refused(bad, rigless::Error::index_out_of_range, 3);
   bad = good;
   bad.example_controls.clear();
@@ -383,7 +383,7 @@ TEST_CASE("retarget: the whole pose tells apart what one joint cannot") {
     return Vec3<double>(0, h.x() + h.y(), 0);
   };
   const auto pose = [&](double t, std::vector<Vec3<double>>& out) {
-    for (std::size_t j = 0; j < joint_count; ++j)
+    for (std::size_t j = 0; j < swinging_joints; ++j)
       out.push_back(Vec3<double>(0, j == 1 || j == 2 ? heights(t)[static_cast<Eigen::Index>(j) - 1] : 0, 0));
   };
   for (int f = 0; f < 200; ++f) pose(0.05 * f, scene.clip);

@@ -16,7 +16,7 @@ namespace detail = rigless::detail;
 using rigless::Vec3;
 
 template <class S>
-struct Problem {
+struct GoldenProblem {
   std::vector<std::vector<S>> features, example_features;
   std::vector<std::vector<Vec3<S>>> controls;
   std::vector<detail::TrackInput<S>> tracks;
@@ -52,7 +52,7 @@ void read_constraints(const rigless::json::Value& options, rigless::Constraints<
 
 // What the case adds to the diagonal: "reg r adds r * mean(diag H)", over the weights.
 template <class S>
-S mean_diagonal(const Problem<S>& p) {
+S mean_diagonal(const GoldenProblem<S>& p) {
   double sum = 0;
   std::size_t count = 0;
   const auto& w = p.options.weights;
@@ -82,7 +82,7 @@ S mean_diagonal(const Problem<S>& p) {
 }
 
 template <class S>
-void read(const rigless::json::Value& all, const rigless::json::Value& c, Problem<S>& p) {
+void read(const rigless::json::Value& all, const rigless::json::Value& c, GoldenProblem<S>& p) {
   const auto& options = c["options"];
   const std::size_t tracks = c["c"].size(), examples = c["weights"][0][0].size();
   for (std::size_t k = 0; k < tracks; ++k) {
@@ -109,7 +109,7 @@ void read(const rigless::json::Value& all, const rigless::json::Value& c, Proble
 
 // 1/2 w'Hw - g'w with everything that H holds, as the case defines it.
 template <class Solver>
-double objective(const Problem<double>& p, const Solver& solver) {
+double objective(const GoldenProblem<double>& p, const Solver& solver) {
   const auto& o = p.options;
   double sum = 0;
   for (std::size_t k = 0; k < p.tracks.size(); ++k) {
@@ -180,7 +180,7 @@ TEST_CASE("spacetime: tracks, weights and objective of the reference") {
   for (const auto& c : golden()["cases"].array()) {
     if (c["options"].has("bounds")) continue;
     CAPTURE(c["name"].string());
-    Problem<double> p;
+    GoldenProblem<double> p;
     read(golden(), c, p);
     detail::SpacetimeSolver<double> solver;
     REQUIRE(solver.begin(p.tracks, p.frames, p.constraints, p.options).ok());
@@ -203,7 +203,7 @@ TEST_CASE("spacetime: bounded weights of the reference") {
   for (const auto& c : golden()["cases"].array()) {
     if (!c["options"].has("bounds")) continue;
     CAPTURE(c["name"].string());
-    Problem<double> p;
+    GoldenProblem<double> p;
     read(golden(), c, p);
     const double lower = c["options"]["bounds"][0].number(), upper = c["options"]["bounds"][1].number();
     detail::BoundedSpacetimeSolver<double> solver;
@@ -237,7 +237,7 @@ TEST_CASE("spacetime: bounded weights of the reference") {
 }
 
 TEST_CASE("spacetime: bounds that nothing touches change nothing, and cost one system") {
-  Problem<double> p;
+  GoldenProblem<double> p;
   read(golden(), golden()["cases"][2], p);
   detail::SpacetimeSolver<double> free;
   detail::BoundedSpacetimeSolver<double> bounded;
@@ -255,7 +255,7 @@ TEST_CASE("spacetime: float stays near the reference") {
   for (const auto& c : golden()["cases"].array()) {
     if (c["options"].has("bounds")) continue;
     CAPTURE(c["name"].string());
-    Problem<float> p;
+    GoldenProblem<float> p;
     read(golden(), c, p);
     detail::SpacetimeSolver<float> solver;
     REQUIRE(solver.begin(p.tracks, p.frames, p.constraints, p.options).ok());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "retarget/walker.h"
 #include "rigless/retarget/retarget.h"
 
 namespace detail = rigless::detail;
@@ -13,59 +14,9 @@ using rigless::Vec3;
 
 namespace {
 
-enum : std::int32_t {
-  root,
-  neck,
-  head,
-  left_hip,
-  left_foot,
-  right_hip,
-  right_foot,
-  shoulder,
-  elbow,
-  hand,
-  joint_count
-};
-
-const rigless::Skeleton skeleton = {
-    {"root", "neck", "head", "lhip", "lfoot", "rhip", "rfoot", "shoulder", "elbow", "hand"},
-    {-1, root, neck, root, left_hip, root, right_hip, neck, shoulder, elbow}};
-
-rigless::JointRoles roles() {
-  rigless::JointRoles roles;
-  roles.neck = neck;
-  roles.head = head;
-  roles.left.hip = left_hip;
-  roles.left.ankle = left_foot;
-  roles.right.hip = right_hip;
-  roles.right.ankle = right_foot;
-  roles.left.shoulder = shoulder;
-  roles.left.elbow = elbow;
-  roles.left.hand = hand;
-  return roles;
-}
-
-// Upright, the arm hanging; hips 0.9 m above the soles.
-std::vector<Vec3<double>> standing() {
-  return {{0, 0, 0},    {0, 0.5, 0},     {0, 0.8, 0},    {0.1, 0, 0},    {0.1, -0.9, 0},
-          {-0.1, 0, 0}, {-0.1, -0.9, 0}, {0.2, 0.45, 0}, {0.2, 0.15, 0}, {0.2, -0.15, 0}};
-}
-
-std::vector<Vec3<double>> walk(std::int32_t frames) {
-  std::vector<Vec3<double>> clip;
-  for (std::int32_t f = 0; f < frames; ++f) {
-    const double phase = 0.2 * f, swing = 0.3 * std::sin(phase);
-    std::vector<Vec3<double>> pose = standing();
-    pose[head].z() = 0.02 * std::sin(2 * phase);
-    pose[left_foot] += Vec3<double>(0, 0.05 * std::max(0.0, std::cos(phase)), swing);
-    pose[right_foot] += Vec3<double>(0, 0.05 * std::max(0.0, -std::cos(phase)), -swing);
-    clip.insert(clip.end(), pose.begin(), pose.end());
-  }
-  return clip;
-}
+using namespace rigless::test::walker;
 
 const std::vector<std::int32_t> pairs = {head, left_foot, right_foot, -1};
-const std::vector<Vec3<double>> rest = {{0, 1.7, 0.4}, {0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.8, -0.6}};
 
 template <class S>
 rigless::ExampleStorage<S> started(const std::vector<Vec3<S>>& clip, detail::StarterModel<S> model,
@@ -88,7 +39,7 @@ Vec3<double> placed(const std::vector<Vec3<double>>& pose, const detail::Starter
 }  // namespace
 
 TEST_CASE("starter examples: the model walks before the user has shown anything") {
-  const auto clip = walk(120);
+  const auto clip = walking(120);
   const auto examples = started<double>(clip, {rest, 0, 1.7});
   REQUIRE(examples.controls.size() == 12 * 4);
   REQUIRE(examples.joints.size() == 12 * joint_count);
@@ -109,7 +60,7 @@ TEST_CASE("starter examples: the model walks before the user has shown anything"
 
 TEST_CASE_TEMPLATE("starter examples: they follow the size of the model", S, double, float) {
   std::vector<Vec3<S>> clip, small, large;
-  for (const auto& p : walk(60)) clip.push_back(p.cast<S>());
+  for (const auto& p : walking(60)) clip.push_back(p.cast<S>());
   for (const auto& p : rest) small.push_back((p / 1.7).cast<S>());
   for (const auto& p : rest) large.push_back((p / 0.17).cast<S>());
   const auto one = started<S>(clip, {small, 0, 1}), ten = started<S>(clip, {large, 0, 10});
@@ -119,7 +70,7 @@ TEST_CASE_TEMPLATE("starter examples: they follow the size of the model", S, dou
 }
 
 TEST_CASE("starter examples: short legs take short steps") {
-  const auto clip = walk(120);
+  const auto clip = walking(120);
   const auto swing = [&](double belly) {
     std::vector<Vec3<double>> body = rest;
     body[3].y() = belly;
@@ -190,7 +141,7 @@ TEST_CASE("starter examples: the trunk leans about the hips, also where the huma
 }
 
 TEST_CASE("starter examples: soles that stand are level, none is lower") {
-  const auto clip = walk(120);
+  const auto clip = walking(120);
   const std::vector<std::uint8_t> stands = [] {
     std::vector<std::uint8_t> labels;
     for (int f = 0; f < 120; ++f)
@@ -209,7 +160,7 @@ TEST_CASE("starter examples: soles that stand are level, none is lower") {
 }
 
 TEST_CASE("starter examples: they learn from the user's examples, and yield to them") {
-  const auto clip = walk(120);
+  const auto clip = walking(120);
   const detail::StarterModel<double> model = {rest, 0, 1.7};
   const auto starters = started<double>(clip, model);
 
@@ -245,7 +196,7 @@ TEST_CASE("starter examples: they learn from the user's examples, and yield to t
 }
 
 TEST_CASE("starter examples: one frame gives one, bad data none") {
-  const auto clip = walk(1);
+  const auto clip = walking(1);
   auto examples = started<double>(clip, {rest, 0, 1.7});
   REQUIRE(examples.controls.size() == 4);
   for (std::size_t c = 0; c < 4; ++c)  // but for the foot that this frame lifts

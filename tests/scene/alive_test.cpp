@@ -13,13 +13,13 @@ namespace {
 
 using Vec3d = Vec3<double>;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double whole_turn = 2 * 3.14159265358979323846;
 
 // Two seconds of a swing of `amplitude` metres at some hertz.
 std::vector<Vec3d> swing(double hertz, double amplitude, std::int32_t frames = 60) {
   std::vector<Vec3d> track;
   for (std::int32_t f = 0; f < frames; ++f)
-    track.emplace_back(amplitude * std::sin(2 * pi * hertz * f / performance_fps), 1, 0);
+    track.emplace_back(amplitude * std::sin(whole_turn * hertz * f / performance_fps), 1, 0);
   return track;
 }
 

@@ -20,7 +20,7 @@ std::vector<Block> sleeved_blocks() {
 }
 BlockBody<float> sleeved_human() { return build_blocks<float>(sleeved_blocks()); }
 
-struct Held {
+struct HeldHuman {
   enum : std::int32_t { hips, chest, left_hand, right_hand };
 
   BlockBody<float> model;
@@ -28,7 +28,7 @@ struct Held {
   std::vector<Control<float>> controls;
   std::vector<Vec3f> rest;
 
-  explicit Held(BlockBody<float> of) : model(std::move(of)) {
+  explicit HeldHuman(BlockBody<float> of) : model(std::move(of)) {
     REQUIRE(body.set_mesh(model.vertices, model.faces, Solve::solid).ok());
     hold({0, 18, 2}, 2, true);
     hold({0, 28, 2}, 2, true);
@@ -79,8 +79,8 @@ struct Held {
 }  // namespace
 
 TEST_CASE("a limb leaves where the trunk ends, whatever sleeves it wears") {
-  for (Held held : {Held(build_blocks<float>(block_human)), Held(sleeved_human())}) {
-    for (const std::int32_t hand : {Held::left_hand, Held::right_hand}) {
+  for (HeldHuman held : {HeldHuman(build_blocks<float>(block_human)), HeldHuman(sleeved_human())}) {
+    for (const std::int32_t hand : {HeldHuman::left_hand, HeldHuman::right_hand}) {
       const detail::Limb<float>& limb = held.body.limbs()[static_cast<std::size_t>(hand)];
       CHECK(std::abs(limb.base.x()) > 3);
       CHECK(std::abs(limb.base.x()) < 6.5f);
@@ -89,17 +89,17 @@ TEST_CASE("a limb leaves where the trunk ends, whatever sleeves it wears") {
       CHECK(std::abs(limb.middle.x()) > 8.5f);
       CHECK(std::abs(limb.middle.x()) < 12.5f);
     }
-    CHECK(held.body.limbs()[Held::chest].length == 0);
+    CHECK(held.body.limbs()[HeldHuman::chest].length == 0);
   }
 }
 
 TEST_CASE("a slab of the chest leaves the arms beside it alone") {
-  const Held held(build_blocks<float>(block_human));
+  const HeldHuman held(build_blocks<float>(block_human));
   const Discs<float>& discs = held.body.deformer().discs();
   const Solid<float>& solid = held.body.solid();
   int of_chest = 0;
   for (std::size_t v = 0; v < solid.rest.size(); ++v) {
-    if (discs.owner[v] != Held::chest) continue;
+    if (discs.owner[v] != HeldHuman::chest) continue;
     ++of_chest;
     CHECK(std::abs(solid.rest[v].x()) < 8);
   }
@@ -107,10 +107,10 @@ TEST_CASE("a slab of the chest leaves the arms beside it alone") {
 }
 
 TEST_CASE("an arm that rests level hangs, or is thrown up, as long as it is") {
-  Held held(build_blocks<float>(block_human));
+  HeldHuman held(build_blocks<float>(block_human));
   for (const float up : {-1.0f, 1.0f}) {
     std::vector<Vec3f> targets = held.rest;
-    targets[Held::left_hand] = Vec3f(6, 28 + 10 * up, 0);
+    targets[HeldHuman::left_hand] = Vec3f(6, 28 + 10 * up, 0);
     held.body.act(targets, 1);
     const auto [least, most] = held.stretch_of_left_arm();
     CHECK(least > 0.75f);
@@ -122,9 +122,9 @@ TEST_CASE("an arm that rests level hangs, or is thrown up, as long as it is") {
 }
 
 TEST_CASE("an arm bends backwards at the elbow when its hand is nearer than it is long") {
-  Held held(build_blocks<float>(block_human));
+  HeldHuman held(build_blocks<float>(block_human));
   std::vector<Vec3f> targets = held.rest;
-  targets[Held::left_hand] = Vec3f(6, 21, 1);
+  targets[HeldHuman::left_hand] = Vec3f(6, 21, 1);
   held.body.act(targets, 1);
   const auto [least, most] = held.stretch_of_left_arm();
   CHECK(least > 0.6f);
@@ -133,19 +133,19 @@ TEST_CASE("an arm bends backwards at the elbow when its hand is nearer than it i
 }
 
 TEST_CASE("a limb that is known leaves where it is said to, and turns there") {
-  Held held(build_blocks<float>(sleeved_blocks()));
-  Control<float>& hand = held.controls[Held::left_hand];
+  HeldHuman held(build_blocks<float>(sleeved_blocks()));
+  Control<float>& hand = held.controls[HeldHuman::left_hand];
   hand.on_limb = true;
   hand.base = Vec3f(6, 28.5f, 0.5f);
   hand.bend = Vec3f(12, 28.5f, 0.5f);
   REQUIRE(held.body.set_controls(held.controls).ok());
-  const detail::Limb<float>& limb = held.body.limbs()[Held::left_hand];
+  const detail::Limb<float>& limb = held.body.limbs()[HeldHuman::left_hand];
   CHECK((limb.base - hand.base).norm() < 1e-6f);
   CHECK((limb.middle - hand.bend).norm() < 1e-6f);
   CHECK(limb.length > 9.9f);
   CHECK(limb.length < 10.4f);
   std::vector<Vec3f> targets = held.rest;
-  targets[Held::left_hand] = Vec3f(6, 18.5f, 0.5f);
+  targets[HeldHuman::left_hand] = Vec3f(6, 18.5f, 0.5f);
   held.body.act(targets, 1);
   CHECK(held.middle_of_left_arm(11, 13).y() < 25);
 }
@@ -153,17 +153,18 @@ TEST_CASE("a limb that is known leaves where it is said to, and turns there") {
 TEST_CASE("hands that are mirror images have arms that are") {
   std::vector<Block> blocks = block_human;
   blocks.push_back({{4, 22, -4}, {11, 33, 5}});  // a left sleeve like a bell
-  const Held held(build_blocks<float>(blocks));
-  const detail::Limb<float>&left = held.body.limbs()[Held::left_hand], &right = held.body.limbs()[Held::right_hand];
+  const HeldHuman held(build_blocks<float>(blocks));
+  const detail::Limb<float>&left = held.body.limbs()[HeldHuman::left_hand],
+        &right = held.body.limbs()[HeldHuman::right_hand];
   CHECK(left.length == right.length);
   CHECK(std::abs(left.base.x() + right.base.x()) < 0.1f);
   CHECK(left.base.y() == right.base.y());
 }
 
 TEST_CASE("limbs that turn do not allocate") {
-  Held held(build_blocks<float>(block_human));
+  HeldHuman held(build_blocks<float>(block_human));
   std::vector<Vec3f> targets = held.rest;
-  targets[Held::left_hand] = Vec3f(6, 18, 0);
+  targets[HeldHuman::left_hand] = Vec3f(6, 18, 0);
   held.body.act(targets, 1);
   const auto before = test::allocation_count;
   held.body.act(targets, 1);

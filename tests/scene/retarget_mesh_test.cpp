@@ -39,13 +39,13 @@ Mat3<S> z_up() {
 
 // A human of blocks that is held at six points.
 template <class S>
-struct Held {
+struct SixPoints {
   Mat3<S> axes = z_up<S>();
   BlockBody<S> body = human(axes);
   std::vector<MeshPoint<S>> points;
   std::vector<MeshPose<S>> poses;
 
-  Held() {
+  SixPoints() {
     const auto at = [&](S x, S y, S z) -> Vec3<S> { return axes * Vec3<S>(x, y, z) * S(0.1) + Vec3<S>(3, -2, 7); };
     for (const auto& [place, joint] :
          {std::pair(at(2, 0, 3), "LeftFoot"), std::pair(at(-2, 0, 3), "rfoot"), std::pair(at(16, 28, 0), "left hand"),
@@ -89,9 +89,9 @@ std::int32_t nearest(const std::vector<Vec3<S>>& vertices, const Vec3<S>& place)
       vertices.begin());
 }
 
-// Frames of Held<S>, put together from the parts one by one.
+// Frames of SixPoints<S>, put together from the parts one by one.
 template <class S>
-std::vector<Vec3<S>> the_long_way(const Held<S>& held) {
+std::vector<Vec3<S>> the_long_way(const SixPoints<S>& held) {
   Clip<double> clip;
   ParseNotes notes;
   REQUIRE(parse_bvh(walk(), clip, &notes).ok());
@@ -173,7 +173,7 @@ Vec3<S> mean(const std::vector<Vec3<S>>& points) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("one call gives the frames of the long way to the bit", S, float, double) {
-  const Held<S> held;
+  const SixPoints<S> held;
   RetargetedMesh<S> made;
   REQUIRE(retarget_mesh(held.input(), held.options(), made).ok());
   const std::vector<Vec3<S>> frames = made.all_frames();
@@ -183,7 +183,7 @@ TEST_CASE_TEMPLATE("one call gives the frames of the long way to the bit", S, fl
 }
 
 TEST_CASE("points say what they were found to follow") {
-  const Held<float> held;
+  const SixPoints<float> held;
   RetargetedMesh<float> made;
   REQUIRE(retarget_mesh(held.input(), held.options(), made).ok());
   std::vector<std::string> joints;
@@ -259,13 +259,13 @@ TEST_CASE("Acclaim's two texts are read too") {
 }
 
 TEST_CASE("what is wrong is said, and nothing is lost") {
-  const Held<float> held;
+  const SixPoints<float> held;
   RetargetedMesh<float> made;
   REQUIRE(retarget_mesh(held.input(), held.options(), made).ok());
   const std::int32_t frames = made.frames();
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto check = [&](auto change, Error error, std::int32_t where) {
-    Held<float> bad;
+    SixPoints<float> bad;
     RetargetMeshInput<float> input = bad.input();
     RetargetMeshOptions<float> options = bad.options();
     change(bad, input, options);
@@ -300,7 +300,7 @@ TEST_CASE("what is wrong is said, and nothing is lost") {
 }
 
 TEST_CASE("points that are near the same vertex get one each") {
-  Held<float> held;
+  SixPoints<float> held;
   for (MeshPoint<float>& point : held.points) point.position = held.points[0].position;
   RetargetMeshInput<float> input = held.input();
   input.poses = {};
@@ -313,7 +313,7 @@ TEST_CASE("points that are near the same vertex get one each") {
 }
 
 TEST_CASE("a frame does not allocate, and names what is not there") {
-  const Held<float> held;
+  const SixPoints<float> held;
   RetargetedMesh<float> made;
   std::vector<Vec3<float>> out(held.body.vertices.size());
   CHECK(made.frames() == 0);

@@ -6,20 +6,14 @@
 
 #include "support/alloc_count.h"
 #include "support/json.h"
+#include "thesis/points.h"
 
 using namespace rigless;
 using namespace rigless::detail;
+using test::largest_difference;
+using test::Points;
 
 namespace {
-
-using Points = std::vector<Vec3<double>>;
-
-double worst(Span<const Vec3<double>> a, const Points& b) {
-  REQUIRE(a.size() == b.size());
-  double w = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) w = std::max(w, (a[i] - b[i]).cwiseAbs().maxCoeff());
-  return w;
-}
 
 // w_ij = 1 / |N(i)|: not symmetric; only for Eq 2.1.
 template <class S>
@@ -85,12 +79,12 @@ TEST_CASE("the fan of the thesis: L, delta and every edit of the golden case") {
 
     LaplacianEditor<double, RowReplacement<double>> editor;
     REQUIRE(editor.bind(fan.rest, fan.ring, weight, fan.controls).ok());
-    CHECK(worst(editor.delta(), expected["delta"].vec3s<double>()) < 1e-9);
+    CHECK(largest_difference(editor.delta(), expected["delta"].vec3s<double>()) < 1e-9);
 
     const auto check = [&](const char* mode, const Points& edited) {
       if (!expected.has(mode)) return;
       CAPTURE(mode);
-      CHECK(worst(edited, expected[mode].vec3s<double>()) < 1e-9);
+      CHECK(largest_difference(edited, expected[mode].vec3s<double>()) < 1e-9);
       ++edits;
     };
     check("ls", fan.edit(name, SoftRows<double>{fan.lambda}));
@@ -177,5 +171,5 @@ TEST_CASE("what cannot be bound is refused by name, and the present binding goes
 
   Points edited(fan.rest.size());
   editor.edit(fan.targets, edited);
-  CHECK(worst(edited, fan.golden["weights"]["uniform"]["col"].vec3s<double>()) < 1e-9);
+  CHECK(largest_difference(edited, fan.golden["weights"]["uniform"]["col"].vec3s<double>()) < 1e-9);
 }

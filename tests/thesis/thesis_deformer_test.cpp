@@ -5,21 +5,16 @@
 #include "rigless/deform/detail/volume_law.h"
 #include "support/alloc_count.h"
 #include "support/json.h"
+#include "thesis/points.h"
 
 using namespace rigless;
 using namespace rigless::detail;
+using test::largest_difference;
+using test::Points;
 
 namespace {
 
-using Points = std::vector<Vec3<double>>;
 const double infinite = std::numeric_limits<double>::infinity();  // elastic scale of as-rigid-as-possible
-
-double worst(Span<const Vec3<double>> a, const Points& b) {
-  REQUIRE(a.size() == b.size());
-  double w = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) w = std::max(w, (a[i] - b[i]).cwiseAbs().maxCoeff());
-  return w;
-}
 
 // doctest's Approx adds 1 to the scale.
 bool near(double a, double b, double relative) { return std::abs(a - b) <= relative * std::abs(b); }
@@ -64,7 +59,7 @@ void check_iterates(const Bar& bar, const json::Value& run, const Constraint& co
   };
   auto arap = bar.bind(weights, constraint, infinite);
   arap.start();
-  CHECK(worst(arap.shape(), run["initial"].template vec3s<double>()) < 1e-7);
+  CHECK(largest_difference(arap.shape(), run["initial"].template vec3s<double>()) < 1e-7);
   CHECK(near(energy(arap), run["arap_energy"][0].number(), 1e-8));
   for (int it = 1; it <= 5; ++it) {
     arap.step(1);
@@ -74,10 +69,10 @@ void check_iterates(const Bar& bar, const json::Value& run, const Constraint& co
       CHECK((arap.fits()[i].R - run["R_first"][i].template matrix<double>()).cwiseAbs().maxCoeff() < 1e-7);
     }
   }
-  CHECK(worst(arap.shape(), run["arap_5"].template vec3s<double>()) < 1e-7);
+  CHECK(largest_difference(arap.shape(), run["arap_5"].template vec3s<double>()) < 1e-7);
   if (run.has("converged")) {
     arap.step(run["converged_iters"].integer() + 200);
-    CHECK(worst(arap.shape(), run["converged"].template vec3s<double>()) < 1e-5);
+    CHECK(largest_difference(arap.shape(), run["converged"].template vec3s<double>()) < 1e-5);
     CHECK(near(energy(arap), run["converged_energy"].number(), 1e-8));
   }
 
@@ -92,9 +87,9 @@ void check_iterates(const Bar& bar, const json::Value& run, const Constraint& co
       REQUIRE(s.size() == bar.rest.size());
       for (std::size_t i = 0; i < s.size(); ++i) CHECK(cartoon.fits()[i].s == doctest::Approx(s[i]).epsilon(1e-7));
     }
-    if (it == 2) CHECK(worst(cartoon.shape(), run["cartoon_2"].template vec3s<double>()) < 1e-7);
+    if (it == 2) CHECK(largest_difference(cartoon.shape(), run["cartoon_2"].template vec3s<double>()) < 1e-7);
   }
-  CHECK(worst(cartoon.shape(), run["cartoon_5"].template vec3s<double>()) < 1e-7);
+  CHECK(largest_difference(cartoon.shape(), run["cartoon_5"].template vec3s<double>()) < 1e-7);
 }
 
 template <class Constraint>
@@ -106,12 +101,12 @@ void check_pose(const Bar& bar, const json::Value& run, const Constraint& constr
   for (const std::string& lambda : run["pose"].keys()) {
     CAPTURE(lambda);
     cartoon.pose(LinearLaw<double>{std::atof(lambda.c_str())});
-    CHECK(worst(cartoon.positions(), run["pose"][lambda].template vec3s<double>()) < 1e-7);
-    CHECK(worst(cartoon.shape(), shape) == 0);  // the pose never feeds back
+    CHECK(largest_difference(cartoon.positions(), run["pose"][lambda].template vec3s<double>()) < 1e-7);
+    CHECK(largest_difference(cartoon.shape(), shape) == 0);  // the pose never feeds back
   }
   if (run.has("pose_power")) {
     cartoon.pose(PowerLaw<double>{3.0, 0.1, 10.0});
-    CHECK(worst(cartoon.positions(), run["pose_power"]["3.0"].template vec3s<double>()) < 1e-7);
+    CHECK(largest_difference(cartoon.positions(), run["pose_power"]["3.0"].template vec3s<double>()) < 1e-7);
   }
 }
 
@@ -225,7 +220,7 @@ TEST_CASE("a binding that is refused leaves the present one") {
   deformer.step(1);
   const Points before(deformer.shape().begin(), deformer.shape().end());
   CHECK(deformer.bind(bar.rest, bar.ring, bar.weight("cotan"), {}).error == Error::no_controls);
-  CHECK(worst(deformer.shape(), before) == 0);
+  CHECK(largest_difference(deformer.shape(), before) == 0);
   deformer.step(1);
   CHECK(deformer.energy() < 2);
 }
