@@ -13,7 +13,7 @@ using rigless::Vec3;
 namespace {
 
 constexpr std::int32_t clip_joints = 4;
-const std::vector<std::int32_t> paired = {1, 2, 3};
+const std::vector<std::int32_t> clip_paired = {1, 2, 3};
 
 // A clip that comes by three regions of poses, one after the other.
 std::vector<Vec3<double>> clip_of(std::int32_t frames) {
@@ -31,7 +31,7 @@ std::vector<Vec3<double>> clip_of(std::int32_t frames) {
 detail::PoseCoverage cover(const std::vector<Vec3<double>>& clip, const std::vector<Vec3<double>>& examples,
                            const detail::CoverageOptions& options = {}, const std::vector<std::int32_t>& mirror = {}) {
   detail::PoseCoverage coverage;
-  coverage.begin(clip, clip_joints, paired, examples, mirror, options);
+  coverage.begin(clip, clip_joints, clip_paired, examples, mirror, options);
   while (coverage.advance(7)) {
   }
   return coverage;
@@ -98,7 +98,8 @@ TEST_CASE("coverage: asked for frames cover the clip better than the farthest on
   std::vector<std::int32_t> asked, farthest;
   const auto coverage = cover(clip, {});
   for (const auto& ask : coverage.asks()) asked.push_back(ask.frame);
-  for (const auto& key : detail::suggest_key_poses<double>(clip, clip_joints, paired, 8)) farthest.push_back(key.frame);
+  for (const auto& key : detail::suggest_key_poses<double>(clip, clip_joints, clip_paired, 8))
+    farthest.push_back(key.frame);
   CHECK(error(asked) < error(farthest));
 }
 
