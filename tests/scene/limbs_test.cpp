@@ -172,7 +172,7 @@ TEST_CASE("limbs that turn do not allocate") {
 }
 
 TEST_CASE("a foot on the ground lies flat while its knee bends, a lifted one turns with its leg") {
-  Held held(build_blocks<float>(block_human));
+  HeldHuman held(build_blocks<float>(block_human));
   constexpr std::size_t left = 4, right = 5;
   const auto lean = [&](std::size_t foot) {  // of its sole, radians
     const Mat3<float>& turn = held.body.deformer().disc_rotations()[foot];
