@@ -142,9 +142,9 @@ TEST_CASE("after 30 iterations the fast path stands where the reference does") {
   }
   const Mesh mesh = read_obj(text);
   REQUIRE(mesh.faces.size() == 5856);
-  const double infinite = std::numeric_limits<double>::infinity();
+  const double unbounded = std::numeric_limits<double>::infinity();
   SUBCASE("single precision") {
-    for (const double mu : {0.0, 0.5, infinite}) {
+    for (const double mu : {0.0, 0.5, unbounded}) {
       const Comparison c = compare<float>(mesh, mu);
       CHECK(std::abs(c.energy_off) < 1e-5);
       CHECK(std::abs(c.own_energy_off) < 1e-5);
@@ -154,7 +154,7 @@ TEST_CASE("after 30 iterations the fast path stands where the reference does") {
     }
   }
   SUBCASE("double precision") {
-    for (const double mu : {0.0, 0.5, infinite}) {
+    for (const double mu : {0.0, 0.5, unbounded}) {
       const Comparison c = compare<double>(mesh, mu);
       CHECK(std::abs(c.energy_off) < 1e-12);
       CHECK(std::abs(c.own_energy_off) < 1e-12);

@@ -59,11 +59,11 @@ TEST_CASE_TEMPLATE("units by standing height", S, float, double) {
   const std::pair<double, LengthUnit> units[] = {{1, LengthUnit::metre},           {100, LengthUnit::centimetre},
                                                  {1000, LengthUnit::millimetre},   {1 / 0.0254, LengthUnit::inch},
                                                  {0.45 / 0.0254, LengthUnit::cmu}, {1 / 0.3048, LengthUnit::foot}};
-  for (const auto& [scale, unit] : units) {
+  for (const auto& [scale, expected] : units) {
     for (const double tall : {0.8, 1.0, 1.15}) {
       Clip<S> clip = person<S>(scale * tall);
       const UnitGuess<S> guess = guess_unit(clip, find_joint_roles(clip.skeleton));
-      CHECK(guess.unit == unit);
+      CHECK(guess.unit == expected);
       CHECK(guess.metres_per_unit == doctest::Approx(1 / scale));
       scale_clip(clip, guess.metres_per_unit);
       CHECK(clip.metres_per_unit == doctest::Approx(1 / scale));
