@@ -87,7 +87,7 @@ function commandOf(args: readonly string[]): BakeCommand {
 
 /** Errors (FileError): the GLB would be too large. */
 function checkSize({ out, every, profile }: BakeCommand, model: Model, frames: number): void {
-  const fault = out === null ? null : sizeFault(model, frames, every, profile);
+  const fault = out === null ? null : sizeFault(model, [frames], every, profile);
   if (!fault) return;
   throw new FileError(`${out} ${fault.text}: --every ${fault.every} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`);
 }
@@ -184,7 +184,7 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
       progress.step("Writing");
       const name = document.name || motion.name.replace(/\.[^.]*$/, "");
       const tools = { buildSkin: buildSkinInNode, signal, onProgress: (done: number) => progress.step("Writing", done) };
-      const dance = { name, model, mesh: document.mesh, frames: baked.frames, points: document.points };
+      const dance = { name, model, mesh: document.mesh, points: document.points, clips: [{ name, frames: baked.frames }] };
       const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
       await outputs.add(command.out, glb);
       const kept = keptFrames(baked.frames.length, every).length;
@@ -194,7 +194,7 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
       );
       if (likeness) progress.note(`${sayLikeness(likeness)}.`);
       if (profile.mostKept !== null && kept > profile.mostKept) {
-        const enough = everyFor(baked.frames.length, profile);
+        const enough = everyFor([baked.frames.length], profile);
         progress.note(`Some viewers take at most ${profile.mostKept} kept frames: --every ${enough} stays below.`);
       }
     }

@@ -41,8 +41,8 @@ export class Saving {
         job.step(1);
         const { everyFor, exportDance, sayLikeness } = await import("../io/export-dance");
         const tools = { buildSkin: this.ports.buildSkin, signal: job.signal, onProgress: job.progress };
-        const dance = { name, model, mesh, frames, points };
-        const { bytes: glb, likeness } = await exportDance(dance, everyFor(frames.length), tools);
+        const dance = { name, model, mesh, points, clips: [{ name, frames }] };
+        const { bytes: glb, likeness } = await exportDance(dance, everyFor([frames.length]), tools);
         job.signal.throwIfAborted();
         this.ports.files.download(`${name}.glb`, glb.slice(), "model/gltf-binary");
         notices.say({

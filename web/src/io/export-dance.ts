@@ -2,13 +2,14 @@
 
 import { pointToStage, turnToStage } from "../document/stage-transform";
 import type { MeshRef, Point } from "../document/types";
+import { FPS } from "../engine/types";
 import { stageFor } from "../sync/placement";
 import { meshInput } from "../sync/translate";
 import type { Model } from "./model";
 import { ModelError } from "./named-file";
 import type { Likeness, Profile, Tools, Written } from "./profile";
 import { PROFILES } from "./profiles";
-import { keptFrames } from "./write-glb";
+import { type Clip, keptFrames } from "./write-glb";
 
 /** A larger file cannot be made in one piece, nor opened. */
 const MOST_BYTES = 2 ** 31;
@@ -19,26 +20,33 @@ export interface Dance {
   readonly mesh: MeshRef;
   /** After which joints are named. */
   readonly points?: readonly Pick<Point, "name" | "position">[];
-  /** V x 3 each, world stage metres. */
-  readonly frames: readonly { readonly positions: Float32Array }[];
+  /** One or several, which then share a skeleton. */
+  readonly clips: readonly Clip[];
+  /** Default FPS. */
+  readonly fps?: number;
 }
 
-/** Every `every`-th frame and the last one are kept. Errors (ModelError): the file would be too large; EngineError of the tools. */
+/**
+ * Of each clip every `every`-th frame and the last one are kept.
+ * Errors (ModelError): the file would be too large; EngineError of the tools.
+ */
 export async function exportDance(
-  { name, model, mesh, frames, points = [] }: Dance,
+  { name, model, mesh, clips, points = [], fps = FPS }: Dance,
   every: number,
   tools: Tools,
   profile: Profile = PROFILES[0],
 ): Promise<Written> {
-  const tooLarge = sizeFault(model, frames.length, every, profile);
+  const tooLarge = sizeFault(model, lengthsOf(clips), every, profile);
   if (tooLarge) throw new ModelError(`${name}.${profile.extension} ${tooLarge.text}.`);
   const { document, drawn, faces } = model;
   const rest = meshInput(model, mesh).positions;
   const stage = stageFor(model, mesh);
   const turned = { ...drawn, normals: turnToStage(stage, drawn.normals) };
   const places = points.map((point) => ({ name: point.name, position: pointToStage(stage, point.position) }));
-  return profile.write({ name, document, drawn: turned, faces, places, rest, frames, scale: 1 / stage.scale, every }, tools);
+  return profile.write({ name, document, drawn: turned, faces, places, rest, clips, fps, scale: 1 / stage.scale, every }, tools);
 }
+
+export const lengthsOf = (clips: readonly Clip[]): number[] => clips.map(({ frames }) => frames.length);
 
 /** In words: how many joints there are, and how like the file is to the dance. */
 export function sayLikeness({ joints, rms, worst, normals }: Likeness): string {
@@ -48,16 +56,35 @@ export function sayLikeness({ joints, rms, worst, normals }: Likeness): string {
   return `${joints} joints; ${places}; light ${degrees} degrees off`;
 }
 
-/** The least step with which every viewer takes a dance of so many frames. */
-export function everyFor(frames: number, { mostKept }: Profile = PROFILES[0]): number {
-  return mostKept === null ? 1 : Math.max(1, Math.ceil((frames - 1) / (mostKept - 1)));
+/** What of the model's own file makes way for what is written, or null. */
+export function sayReplaced({ document: { json } }: Pick<Model, "document">): string | null {
+  const clips = json.animations?.length ?? 0;
+  const gone = [...(json.skins?.length ? ["skeleton"] : []), ...(clips > 0 ? [clips === 1 ? "clip" : `${clips} clips`] : [])];
+  if (gone.length === 0) return null;
+  return `The model's own ${gone.join(" and ")} ${gone.length > 1 || clips > 1 ? "are" : "is"} replaced.`;
+}
+
+/** How many frames are kept of clips of so many. */
+export const keptOf = (frames: readonly number[], every: number): number =>
+  frames.reduce((sum, count) => sum + keptFrames(count, every).length, 0);
+
+/** The least step with which every viewer takes clips of so many frames. */
+export function everyFor(frames: readonly number[], { mostKept }: Profile = PROFILES[0]): number {
+  let every = 1;
+  while (mostKept !== null && keptOf(frames, every) > mostKept && every < Math.max(...frames)) every++;
+  return every;
 }
 
 /** Null where the file is of a size that can be made; else what to say, and the least step that makes it so. */
-export function sizeFault(model: Model, frames: number, every: number, profile: Profile): { text: string; every: number } | null {
-  const bytes = (k: number): number => profile.bytes(model.drawn.toVertex.length, keptFrames(frames, k).length);
+export function sizeFault(
+  model: Model,
+  frames: readonly number[],
+  every: number,
+  profile: Profile,
+): { text: string; every: number } | null {
+  const bytes = (k: number): number => profile.bytes(model.drawn.toVertex.length, keptOf(frames, k));
   if (bytes(every) <= MOST_BYTES) return null;
   let enough = every;
-  while (enough < frames && bytes(enough) > MOST_BYTES) enough++;
+  while (enough < Math.max(...frames) && bytes(enough) > MOST_BYTES) enough++;
   return { text: `would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a ${profile.extension.toUpperCase()} can`, every: enough };
 }

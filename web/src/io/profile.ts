@@ -25,6 +25,8 @@ export interface Profile {
   readonly id: string;
   /** How it holds the dance. */
   readonly words: string;
+  /** Who opens it: "It opens in ...". */
+  readonly worksIn: string;
   readonly extension: string;
   /** So many kept frames every viewer takes, with the reason beside it; null: any number. */
   readonly mostKept: number | null;

@@ -6,16 +6,19 @@ import type { BuiltSkin } from "../engine/types";
 import type { DrawnInstance } from "../gltf/drawn";
 import { ownOf, Shapes } from "./drawn-shape";
 import { type NewMotion, packGlb, type Put, withGeometry } from "./gltf/write";
-import { clipName, type GlbInput, keptFrames, timesOf } from "./write-glb";
+import { clipName, type GlbInput, keptClips, numbered, timesOf } from "./write-glb";
 
 /** Bytes of a file with so many render vertices and kept frames, about. */
 export function skinnedBytes(vertices: number, kept: number): number {
   return 56 * vertices + 20 * 24 * kept;
 }
 
-/** Y up, facing +Z, in the model's own units; travel and turn are the root joint's. The file's own skin and clips make way. */
+/**
+ * All clips move one skeleton: `skin` was made of their frames, one clip after the other.
+ * Y up, facing +Z, in the model's own units; travel and turn are the root joint's. The file's own skin and clips make way.
+ */
 export function writeSkinned(
-  { document, drawn, rest, frames, scale, every, places, ...input }: GlbInput,
+  { document, drawn, rest, clips, fps, scale, every, places, ...input }: GlbInput,
   skin: BuiltSkin,
 ): Uint8Array<ArrayBuffer> {
   const name = clipName(input.name);
@@ -47,11 +50,13 @@ export function writeSkinned(
       for (let k = 0; k < 3; k++) inverse[16 * j + 12 + k] = -centre[k];
     });
     const skins = [{ name, skeleton: root, joints, inverseBindMatrices: put(inverse, "MAT4") }];
-    const kept = keptFrames(frames.length, every);
-    const clip = new Clip(name, put, kept, scale);
-    clip.add(root, skin.roots, 7, 0, [0, 0, 0]);
-    centres.forEach((centre, j) => clip.add(joints[j], skin.poses, 7 * count, 7 * j, centre));
-    return { nodes, roots: [node, root], skins, animations: kept.length > 0 ? [clip.animation()] : [] };
+    const animations = keptClips(clips, every).map(({ name, kept, from }) => {
+      const tracks = new Tracks(name, put, kept, fps, scale);
+      tracks.add(root, skin.roots, 7, 7 * from, [0, 0, 0]);
+      centres.forEach((centre, j) => tracks.add(joints[j], skin.poses, 7 * count, 7 * (count * from + j), centre));
+      return tracks.animation();
+    });
+    return { nodes, roots: [node, root], skins, animations };
   };
   return packGlb(withGeometry({ ...document, json: dressBare(document.json) }, { name, primitives, motion }));
 }
@@ -89,17 +94,14 @@ function namesOf(centres: Float32Array, places: GlbInput["places"]): string[] {
   return Array.from({ length: centres.length / 3 }, (_, j) => {
     const away = ({ position }: GlbInput["places"][number]): number => Math.hypot(...position.map((x, k) => x - centres[3 * j + k]));
     const nearest = places.reduce<GlbInput["places"][number] | null>((a, b) => (a && away(a) <= away(b) ? a : b), null);
-    const name = clipName(nearest?.name ?? "joint");
-    const n = (taken.get(name) ?? 0) + 1;
-    taken.set(name, n);
-    return n === 1 ? name : `${name}_${n}`;
+    return numbered(clipName(nearest?.name ?? "joint"), taken);
   });
 }
 
 /** Turns by less than a step of a short, and ways of less than this share of the model's height, are none. */
 const STILL = 3e-5;
 
-class Clip {
+class Tracks {
   private readonly channels: unknown[] = [];
   private readonly samplers: { input: number; output: number; interpolation: string }[] = [];
   private times: number | null = null;
@@ -108,6 +110,7 @@ class Clip {
     private readonly name: string,
     private readonly put: Put,
     private readonly kept: readonly number[],
+    private readonly fps: number,
     private readonly scale: number,
   ) {}
 
@@ -135,7 +138,7 @@ class Clip {
   }
 
   private track(node: number, path: "rotation" | "translation", output: number): void {
-    this.times ??= this.put(timesOf(this.kept), "SCALAR", { bounded: true });
+    this.times ??= this.put(timesOf(this.kept, this.fps), "SCALAR", { bounded: true });
     this.channels.push({ sampler: this.samplers.length, target: { node, path } });
     this.samplers.push({ input: this.times, output, interpolation: "LINEAR" });
   }

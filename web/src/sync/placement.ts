@@ -63,6 +63,12 @@ export function mapsToWorld(maps: Float32Array, root: Root): Float32Array {
   return out;
 }
 
+/** N x 3 world to body-local; a new array. */
+export function toLocalAll(positions: Float32Array, [x, y, z, yaw]: Root): Float32Array {
+  const there = positions.map((value, i) => value - [x, y, z][i % 3]);
+  return toWorld(there, [0, 0, 0, -yaw]);
+}
+
 /** One world point, body-local. */
 export function toLocal(point: readonly [number, number, number], root: Root): [number, number, number] {
   const [x, y, z, yaw] = root;

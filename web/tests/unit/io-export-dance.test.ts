@@ -13,16 +13,16 @@ const [, morph] = PROFILES;
 const tools = { buildSkin: buildSkinInNode };
 const model = await readModel([textFile("t.obj", TETRAHEDRON)]);
 const frames = Array.from({ length: 5 }, (_, f) => ({ positions: model.positions.map((x) => x + f) }));
-const dance: Dance = { name: "wave", model, mesh: { file: "t.obj", up: "+y", facing: "+z" }, frames };
+const dance: Dance = { name: "wave", model, mesh: { file: "t.obj", up: "+y", facing: "+z" }, clips: [{ name: "wave", frames }] };
 
 it("keeps as many frames as every viewer takes, and no fewer than needed", () => {
   const { mostKept } = morph;
   for (const length of [1, 2, 120, 255, 256, 257, 510, 511, 512, 5000]) {
-    const every = everyFor(length, morph);
+    const every = everyFor([length], morph);
     expect(keptFrames(length, every).length).toBeLessThanOrEqual(mostKept ?? Infinity);
     if (every > 1) expect(keptFrames(length, every - 1).length).toBeGreaterThan(mostKept ?? Infinity);
   }
-  expect(everyFor(5000, PROFILES[0])).toBe(1);
+  expect(everyFor([5000], PROFILES[0])).toBe(1);
 });
 
 it("writes by the profile that is asked for: the model at rest on the stage, in its own size", async () => {
@@ -36,7 +36,7 @@ it("writes by the profile that is asked for: the model at rest on the stage, in 
     },
   };
   expect((await exportDance(dance, 2, tools, dummy)).bytes).toEqual(Uint8Array.of(1, 2, 3));
-  expect(seen[0]).toMatchObject({ name: "wave", every: 2, frames, document: model.document });
+  expect(seen[0]).toMatchObject({ name: "wave", every: 2, fps: 30, clips: dance.clips, document: model.document });
   expect(seen[0].drawn.toVertex).toBe(model.drawn.toVertex);
   expect(Math.max(...seen[0].rest.filter((_, i) => i % 3 === 1))).toBeCloseTo(1.7, 5);
   expect(seen[0].scale * 1.7).toBeCloseTo(1, 5); // the tetrahedron is 1 tall in its file
@@ -45,7 +45,7 @@ it("writes by the profile that is asked for: the model at rest on the stage, in 
 
 it("does not begin a file that is too large to be one", async () => {
   const heavy: Profile = { ...morph, bytes: (vertices, kept) => (vertices / 3) * kept * 2e8 };
-  expect(sizeFault(model, 5, 1, morph)).toBeNull();
-  expect(sizeFault(model, 5, 1, heavy)).toEqual({ text: "would hold 4.0 GB, more than a GLB can", every: 4 });
+  expect(sizeFault(model, [5], 1, morph)).toBeNull();
+  expect(sizeFault(model, [5], 1, heavy)).toEqual({ text: "would hold 4.0 GB, more than a GLB can", every: 4 });
   await expect(exportDance(dance, 1, tools, heavy)).rejects.toThrow(new ModelError("wave.glb would hold 4.0 GB, more than a GLB can."));
 });

@@ -25,7 +25,8 @@ function inputOf(model: Model, frames: number, more: Partial<GlbInput> = {}): Gl
     faces: model.faces,
     places: [],
     rest: model.positions,
-    frames: wave(model, frames),
+    clips: [{ name: "my  dance", frames: wave(model, frames) }],
+    fps: 30,
     scale: 1,
     every: 1,
     ...more,
@@ -84,7 +85,7 @@ describe("an animated GLB", () => {
       const weights = track.values.slice(n * kept.length, (n + 1) * kept.length);
       expect([...weights]).toEqual(kept.map((_, k) => (k === n ? 1 : 0)));
       const played = Array.from(position.array, (x, i) => x + targets[n].array[i]);
-      const wanted = [...model.drawn.toVertex].flatMap((v) => [...input.frames[f].positions.subarray(3 * v, 3 * v + 3)]);
+      const wanted = [...model.drawn.toVertex].flatMap((v) => [...input.clips[0].frames[f].positions.subarray(3 * v, 3 * v + 3)]);
       expect(Math.max(...played.map((x, i) => Math.abs(x - wanted[i])))).toBeLessThanOrEqual(1e-6);
     });
   });
@@ -110,7 +111,7 @@ describe("an animated GLB", () => {
   it("lights each frame by its own normals", async () => {
     const model = await plain();
     const turned = model.positions.map((_, i) => [-model.positions[i], model.positions[i], -model.positions[i]][i % 3]);
-    const written = await openGlb(writeGlb(inputOf(model, 0, { frames: [{ positions: turned }] })));
+    const written = await openGlb(writeGlb(inputOf(model, 0, { clips: [{ name: "turned", frames: [{ positions: turned }] }] })));
     const rest = valuesOf(written, "NORMAL") ?? [];
     const delta = valuesOf(written, "NORMAL", { target: 0 }) ?? [];
     expect(rest).toHaveLength(36); // a tetrahedron has creases alone

@@ -67,42 +67,46 @@ async function made(
       { name: "Left hand", position: [0, 2, 0] },
       { name: "Base", position: [0, 0, 0] },
     ],
-    frames: bent(model, frames),
-    ...{ scale: 1, every: 1 },
+    clips: [{ name: "my dance", frames: bent(model, frames) }],
+    ...{ fps: 30, scale: 1, every: 1 },
     ...more,
   };
   const skin = await buildSkinInNode({
     positions: input.rest,
     faces: input.faces,
-    frames: input.frames.map((f) => f.positions),
+    frames: input.clips.flatMap(({ frames }) => frames.map((f) => f.positions)),
     joints: 64,
   });
   return { input, skin, glb: writeSkinned(input, skin) };
 }
 
 /** The largest way between what three.js plays and the frames, in diagonals of the model at rest. */
-async function played(glb: Uint8Array<ArrayBuffer>, model: Model, { frames, every, scale }: GlbInput): Promise<number> {
+async function played(glb: Uint8Array<ArrayBuffer>, model: Model, { clips, fps, every, scale }: GlbInput): Promise<number> {
   const { scene, animations } = await new GLTFLoader().parseAsync(glb.buffer, "");
   const meshes: SkinnedMesh[] = [];
   scene.traverse((object) => void ("isSkinnedMesh" in object && meshes.push(object as SkinnedMesh)));
   expect(meshes).toHaveLength(model.drawn.instances.length);
   const mixer = new AnimationMixer(scene);
-  mixer.clipAction(animations[0]).play();
+  expect(animations).toHaveLength(clips.length);
   let worst = 0;
-  for (const f of keptFrames(frames.length, every)) {
-    mixer.setTime(Math.min(f / 30, animations[0].duration - 1e-7));
-    scene.updateMatrixWorld(true);
-    meshes.forEach((mesh, m) => {
-      mesh.skeleton.update();
-      const { first, count } = model.drawn.instances[m];
-      for (let r = 0; r < count; r++) {
-        const at = mesh.getVertexPosition(r, new Vector3()).divideScalar(scale);
-        const v = 3 * model.drawn.toVertex[first + r];
-        const wanted = frames[f].positions;
-        worst = Math.max(worst, at.distanceTo(new Vector3(wanted[v], wanted[v + 1], wanted[v + 2])));
-      }
-    });
-  }
+  clips.forEach(({ frames }, c) => {
+    mixer.stopAllAction();
+    mixer.clipAction(animations[c]).play();
+    for (const f of keptFrames(frames.length, every)) {
+      mixer.setTime(Math.min(f / fps, animations[c].duration - 1e-7));
+      scene.updateMatrixWorld(true);
+      meshes.forEach((mesh, m) => {
+        mesh.skeleton.update();
+        const { first, count } = model.drawn.instances[m];
+        for (let r = 0; r < count; r++) {
+          const at = mesh.getVertexPosition(r, new Vector3()).divideScalar(scale);
+          const v = 3 * model.drawn.toVertex[first + r];
+          const wanted = frames[f].positions;
+          worst = Math.max(worst, at.distanceTo(new Vector3(wanted[v], wanted[v + 1], wanted[v + 2])));
+        }
+      });
+    }
+  });
   return worst / Math.hypot(0.4, HEIGHT, 0.4);
 }
 
@@ -115,6 +119,23 @@ it("is faultless, and plays every frame in three.js as like as it says", async (
   expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
   const worst = await played(glb, model, input);
   expect(Math.abs(worst - skin.worst)).toBeLessThan(2e-4);
+});
+
+it("plays every frame of all clips by one skeleton", async () => {
+  const model = await post();
+  const clips = [
+    { name: "slow bow", frames: bent(model, 30).map((frame, f, all) => (f % 2 === 0 ? all[f / 2] : frame)) },
+    { name: "wave", frames: bent(model, 50).slice(20) },
+    { name: "nothing", frames: [] },
+    { name: "wave", frames: bent(model, 8) },
+  ];
+  const filled = clips.filter(({ frames }) => frames.length > 0);
+  const { input, skin, glb } = await made(model, 0, { clips, fps: 60 });
+  expect((await validateBytes(glb)).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+  const { skins, animations = [] } = (await openGlb(glb)).json;
+  expect(skins).toHaveLength(1);
+  expect(animations.map(({ name }) => name)).toEqual(["slow_bow", "wave", "wave_2"]);
+  expect(Math.abs((await played(glb, model, { ...input, clips: filled })) - skin.worst)).toBeLessThan(2e-4);
 });
 
 it("keeps kept frames alone, and the model's own size", async () => {
@@ -148,7 +169,9 @@ it("names joints after the places that they are nearest to, and flat under one r
 it("has tracks only for what moves", async () => {
   const model = await post();
   const rest = { positions: model.positions };
-  const { skin, glb } = await made(model, 0, { frames: [rest, { positions: model.positions.map((x, i) => (i % 3 === 0 ? x + 1 : x)) }] });
+  const { skin, glb } = await made(model, 0, {
+    clips: [{ name: "step", frames: [rest, { positions: model.positions.map((x, i) => (i % 3 === 0 ? x + 1 : x)) }] }],
+  });
   expect(skin.centres).toHaveLength(3);
   expect((await openGlb(glb)).json.animations![0].channels).toEqual([{ sampler: 0, target: { node: 1, path: "translation" } }]);
 });

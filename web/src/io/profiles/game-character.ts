@@ -8,11 +8,12 @@ const MOST_JOINTS = 64;
 export const gameCharacter: Profile = {
   id: "game",
   words: "a skeleton of its own, for games",
+  worksIn: "Blender, Unity, Unreal, Godot and on the web",
   extension: "glb",
   mostKept: null,
   bytes: skinnedBytes,
   write: async (input, { buildSkin, ...call }) => {
-    const frames = input.frames.map(({ positions }) => positions);
+    const frames = input.clips.flatMap((clip) => clip.frames.map(({ positions }) => positions));
     const skin = await buildSkin({ positions: input.rest, faces: input.faces, frames, joints: MOST_JOINTS }, call);
     const { rms, worst, normals, centres } = skin;
     return { bytes: writeSkinned(input, skin), likeness: { rms, worst, normals, joints: centres.length / 3 } };

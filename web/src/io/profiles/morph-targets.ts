@@ -5,6 +5,7 @@ import type { Profile } from "../profile";
 export const morphTargets: Profile = {
   id: "morph",
   words: "one morph target per kept frame",
+  worksIn: "Blender and on the web; engines for games take few morph targets or none",
   extension: "glb",
   // Viewers on WebGL 2 keep morph targets as layers of one texture, and 256 layers are all that the standard promises.
   mostKept: 256,
