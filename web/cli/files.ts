@@ -1,18 +1,21 @@
-// Reading a project from disk, and writing whole files or none.
+// Reading a project from disk.
 
-import { readFile, rename, rm, stat, writeFile } from "node:fs/promises";
-import { basename, dirname, isAbsolute, relative, resolve } from "node:path";
+import { readdir, readFile, realpath, stat } from "node:fs/promises";
+import { basename, dirname, isAbsolute, join, relative, resolve } from "node:path";
 
 import { parseProject } from "../src/document/project";
 import { formatNamed } from "../src/io/formats";
 import { baseName, decodeText, type NamedFile } from "../src/io/named-file";
 import { openProject, type OpenedProject } from "../src/io/project-file";
-import type { FoundMotion } from "../src/io/read-motion-files";
+import { findMotions, type FoundMotion } from "../src/io/read-motion-files";
 import { sortFiles } from "../src/io/sort-files";
 import { isZip } from "../src/io/zip";
 
 /** A file that cannot be read or written; `message` names it. */
 export class FileError extends Error {}
+
+/** Real paths of all that was read: no result takes the place of any. */
+export const filesRead: Set<string> = new Set();
 
 /** A saved project, or a project.json and the files that it names, relative to it. */
 export async function loadProject(path: string): Promise<OpenedProject> {
@@ -29,6 +32,20 @@ export async function loadProject(path: string): Promise<OpenedProject> {
   return openProject([{ ...project, name: "project.json" }, model, ...beside, ...motion]);
 }
 
+/** Its own motion first, then all others that lie beside it: in the saved project, or in the motion's folder. */
+export async function motionsOfProject(path: string, own: FoundMotion): Promise<FoundMotion[]> {
+  const project = await read(path, basename(path));
+  const others = isZip(project) ? (await sortFiles([project])).motions : await motionsIn(dirname(ownPath(dirname(path), own.files[0])));
+  const names = ({ files }: FoundMotion): string => files.map(baseName).join();
+  return [own, ...others.filter((other) => names(other) !== names(own))];
+}
+
+async function motionsIn(folder: string): Promise<FoundMotion[]> {
+  const names = (await readdir(folder)).filter((name) => ["motion", "skeleton"].includes(formatNamed(name)?.kind ?? "")).sort();
+  const { motions } = await findMotions(await Promise.all(names.map((name) => read(join(folder, name), name))));
+  return motions;
+}
+
 /** Files that a user names, and what these name beside them. */
 export async function readFiles(paths: readonly string[]): Promise<{ given: NamedFile[]; beside: NamedFile[] }> {
   const given = await Promise.all(paths.map((path) => read(path, basename(path))));
@@ -36,35 +53,46 @@ export async function readFiles(paths: readonly string[]): Promise<{ given: Name
   return { given, beside: beside.flat() };
 }
 
-export interface ModelAndMotion {
-  /** The model's own file first. */
-  readonly modelFiles: NamedFile[];
-  /** Null where the motion is a clip of `clipFiles`. */
-  readonly motion: FoundMotion | null;
-  /** What readClips takes. */
-  readonly clipFiles: NamedFile[];
+export interface MotionFiles {
+  readonly motions: readonly FoundMotion[];
+  /** Each holds motions as well: what readClips takes. */
+  readonly clipFiles: readonly (readonly NamedFile[])[];
 }
 
-/** A model with what it names beside it, and a motion: files in any order. A model that moves needs no other file. */
-export async function loadModelAndMotion(paths: readonly string[]): Promise<ModelAndMotion> {
+export interface ModelAndMotions extends MotionFiles {
+  /** The model's own file first. */
+  readonly modelFiles: NamedFile[];
+}
+
+/** Motions alone: files in any order. */
+export async function loadMotions(paths: readonly string[]): Promise<MotionFiles> {
+  const { given, beside } = await readFiles(paths);
+  const { models, motions, clips, problems } = await sortFiles(given, { motionsOnly: true });
+  if (models.length > 0) throw new FileError(`${models[0].name} is no motion, and the project has a model.`);
+  if (problems.length > 0) throw new FileError(problems[0]);
+  return { motions, clipFiles: clips.map((file) => [file, ...beside]) };
+}
+
+/** A model with what it names beside it, and motions: files in any order. A model that moves needs no other file. */
+export async function loadModelAndMotions(paths: readonly string[]): Promise<ModelAndMotions> {
   const { given, beside } = await readFiles(paths);
   const { models, moves, motions, clips, problems } = await sortFiles(given);
   const [model] = models;
   const own = moves && motions.length + clips.length === 0 ? [model] : clips;
-  if (models.length === 1 && motions.length + own.length === 1 && problems.length === 0)
-    return { modelFiles: [model, ...beside], motion: motions[0] ?? null, clipFiles: [...own, ...beside] };
+  if (models.length === 1 && motions.length + own.length > 0 && problems.length === 0)
+    return { modelFiles: [model, ...beside], motions, clipFiles: own.map((file) => [file, ...beside]) };
   if (models.length === 1 && given.length === 1)
     throw new FileError(`${given[0].name} holds no motion: name one beside it, as in ${given[0].name} motion.bvh.`);
   throw new FileError(
     problems[0] ??
-      `one model and one motion are needed, but among ${given.map((file) => file.name).join(", ")} ` +
+      `one model and a motion are needed, but among ${given.map((file) => file.name).join(", ")} ` +
         `there are ${models.length} and ${motions.length + own.length}.`,
   );
 }
 
 async function read(path: string, name: string, namedBy?: string): Promise<NamedFile> {
   try {
-    return { name, bytes: namedBy === undefined ? new Uint8Array(await readFile(path)) : await readWhole(path) };
+    return { name, bytes: namedBy === undefined ? await readGiven(path) : await readWhole(path) };
   } catch (error) {
     const code = codeOf(error);
     const why =
@@ -79,11 +107,17 @@ async function read(path: string, name: string, namedBy?: string): Promise<Named
   }
 }
 
+async function readGiven(path: string): Promise<Uint8Array> {
+  const bytes = new Uint8Array(await readFile(path));
+  filesRead.add(await realpath(path));
+  return bytes;
+}
+
 /** For names that stand in a file: a device or a pipe may never end. */
 async function readWhole(path: string): Promise<Uint8Array> {
   const found = await stat(path);
   if (!found.isFile() && !found.isDirectory()) throw Object.assign(new Error("not a file"), { code: "ENOTFILE" });
-  return new Uint8Array(await readFile(path));
+  return readGiven(path);
 }
 
 /** Where a project's model or motion lies: in its folder or one near it, but nothing else of the disk is anything's motion. */
@@ -123,44 +157,6 @@ async function readBeside(file: NamedFile, root: string, folder = root): Promise
   return [...files.map(({ name, bytes }) => ({ name, bytes })), ...deeper.flat()];
 }
 
-/** Files that appear together at the end, under their names, or not at all. */
-export class OutputFiles {
-  private readonly pending: { path: string; temporary: string }[] = [];
-
-  /** Errors (FileError): a folder that is not there, before any work is done. */
-  static async prepare(paths: readonly (string | null)[]): Promise<OutputFiles> {
-    for (const path of paths) {
-      if (path === null) continue;
-      const folder = await stat(dirname(resolve(path))).catch(() => null);
-      if (!folder?.isDirectory()) throw new FileError(`${path}: there is no folder ${dirname(path)}.`);
-      const there = await stat(path).catch(() => null);
-      if (there?.isDirectory()) throw new FileError(`${path}: it is a folder.`);
-    }
-    return new OutputFiles();
-  }
-
-  async add(path: string, bytes: Uint8Array): Promise<void> {
-    const temporary = `${path}.${process.pid}.tmp`;
-    this.pending.push({ path, temporary });
-    await writing(path, writeFile(temporary, bytes));
-  }
-
-  async commit(): Promise<void> {
-    for (const { path, temporary } of this.pending) await writing(path, rename(temporary, path));
-    this.pending.length = 0;
-  }
-
-  async discard(): Promise<void> {
-    await Promise.all(this.pending.map(({ temporary }) => rm(temporary, { force: true })));
-  }
-}
-
-async function writing(path: string, work: Promise<void>): Promise<void> {
-  await work.catch((error: unknown) => {
-    throw new FileError(`${path}: it cannot be written (${codeOf(error)}).`);
-  });
-}
-
-function codeOf(error: unknown): string {
+export function codeOf(error: unknown): string {
   return error instanceof Error && "code" in error ? String(error.code) : String(error);
 }

@@ -2,6 +2,8 @@
 export class Progress {
   private shown = "";
   private step_ = "";
+  /** What was noted so far. */
+  readonly notes: string[] = [];
 
   constructor(private readonly quiet: boolean) {}
 
@@ -14,6 +16,7 @@ export class Progress {
   }
 
   note(text: string): void {
+    this.notes.push(text);
     this.line(`note: ${text}`);
   }
 

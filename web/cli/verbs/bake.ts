@@ -1,65 +1,71 @@
-// rigless bake: a project, or a model and a motion, to an animated GLB and the dance as numbers.
-
-import { basename } from "node:path";
+// rigless bake: a project, or a model and motions, to an animated GLB and the dance as numbers.
 
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
 import { buildSkinInNode } from "../../src/engine/skin-node";
-import type { Motion, MotionInput } from "../../src/engine/types";
-import type { FoundClip } from "../../src/io/clips/found-clip";
-import { everyFor, exportDance, sayLikeness, sizeFault } from "../../src/io/export-dance";
-import { formatNamed, listed } from "../../src/io/formats";
+import { FPS, type Motion } from "../../src/engine/types";
 import { count } from "../../src/io/count";
-import type { Model } from "../../src/io/model";
-import type { Profile } from "../../src/io/profile";
+import { type Cut, cutClip, PACES } from "../../src/io/cut-clip";
+import { everyFor, exportDance, keptOf, lengthsOf, sayLikeness, sayReplaced, sizeFault } from "../../src/io/export-dance";
+import { formatNamed, listed } from "../../src/io/formats";
+import type { Likeness, Profile } from "../../src/io/profile";
 import { PROFILES } from "../../src/io/profiles";
 import type { FoundMotion } from "../../src/io/read-motion-files";
-import { keptFrames } from "../../src/io/write-glb";
+import { type Clip, keptClips } from "../../src/io/write-glb";
 import { serializeTrack, trackOf } from "../../src/io/write-track";
-import { bake } from "../../src/sync/bake";
+import { type Bake, bake } from "../../src/sync/bake";
 import { Binding } from "../../src/sync/binding";
-import { guessProject } from "../../src/sync/guess";
 import { pairingFault, pairingNotes } from "../../src/sync/pairing";
-import { shapeInput } from "../../src/sync/shape-input";
-import { FileError, loadModelAndMotion, loadProject, OutputFiles } from "../files";
-import type { Progress } from "../progress";
-import { readClipsInThread, readModelInThread, type ThreadOptions } from "../parse-in-thread";
+import { type Asked, type BakeInputs, openInputs } from "../bake-inputs";
+import { FileError } from "../files";
+import { OutputFiles, print, STDOUT } from "../output-files";
 import { readArguments, UsageError } from "../verb";
 
-export const help = `  rigless bake <project> --out dance.glb [--track track.json] [--every K] [--anyway]
-  rigless bake <model> <motion> --out dance.glb [...]
+export const help = `  rigless bake <project> [<motion> ...] --out dance.glb [--track track.json] [...]
+  rigless bake <model> <motion> ... --out dance.glb [...]
   rigless bake <model that moves> --out dance.glb [...]
 
 <project> is a project.json beside the files that it names, or a saved .rigless file.
 <model>: ${listed("model", "or")}. <motion>: ${listed("motion", "or")}, files in any order. How the
 model stands, where it is held and which joints move it is then guessed from its shape, and said.
+Several motions become clips of one file, named after them, on one skeleton.
 
-  --out FILE     an animated GLB
+  --out FILE     an animated GLB; - is standard output
   --clip NAME    the motion to take of a file that holds several
+  --all          all motions: of files that hold several, or those that lie beside a project's own
   --profile P    how it holds the dance: ${PROFILES.map(({ id, words }) => `${id} (${words})`).join(", ")}
+  --in-place     the model stays on its spot
+  --fps N        ${PACES.join(", ")} frames per second in the GLB (default ${FPS})
+  --loop         the end of each motion leads to its beginning
   --track FILE   the dance as numbers: points, root, contacts
   --every K      keep every K-th frame in the GLB (default 1)
-  --anyway       bake even if the motion has none of the joints that the points follow`;
+  --anyway       bake even if the motion has none of the joints that the points follow
+  --json         what was made as JSON on standard output`;
 
 const OPTIONS = {
   out: { type: "string", short: "o" },
   clip: { type: "string" },
+  all: { type: "boolean" },
   profile: { type: "string" },
+  "in-place": { type: "boolean" },
+  fps: { type: "string" },
+  loop: { type: "boolean" },
   track: { type: "string" },
   every: { type: "string" },
   anyway: { type: "boolean" },
+  json: { type: "boolean" },
 } as const;
 
-interface BakeCommand {
-  /** One project, or a model and the files of a motion. */
-  inputs: string[];
-  out: string | null;
-  clip: string | null;
-  profile: Profile;
-  track: string | null;
-  every: number;
-  anyway: boolean;
-  progress: Progress;
+interface BakeCommand extends Asked {
+  readonly out: string | null;
+  readonly profile: Profile;
+  readonly cut: Cut;
+  /** Whatever the project says. */
+  readonly inPlace: boolean;
+  readonly track: string | null;
+  readonly every: number;
+  readonly anyway: boolean;
+  readonly json: boolean;
 }
 
 export async function run(args: readonly string[], signal: AbortSignal): Promise<void> {
@@ -72,24 +78,37 @@ function commandOf(args: readonly string[]): BakeCommand {
   const [first, second] = inputs;
   if (first === undefined) throw new UsageError("bake needs a project, or a model and a motion. See rigless --help.");
   const kinds = inputs.map((input) => formatNamed(input)?.kind);
-  if (kinds.some((kind) => kind === "project" || kind === "archive") && second !== undefined)
-    throw new UsageError(`bake takes one project; "${second}" is too much.`);
+  const other = inputs.find((_, n) => n > 0 && (kinds[n] === "project" || kinds[n] === "archive"));
+  if (other !== undefined) throw new UsageError(`bake takes one project; "${other}" is too much.`);
   if (kinds[0] === "model" && second === undefined && !formatNamed(first)?.clips)
     throw new UsageError(`bake needs a motion too: rigless bake ${first} motion.bvh --out dance.glb`);
   if (values.out === undefined && values.track === undefined) throw new UsageError("bake needs --out, --track or both.");
+  if (values.json && [values.out, values.track].includes(STDOUT))
+    throw new UsageError("--json writes to standard output, so no file can go there too.");
   const every = Number(values.every ?? 1);
   if (!Number.isInteger(every) || every < 1) throw new UsageError(`--every should be a whole number from 1, but it is "${values.every}".`);
   const profile = PROFILES.find(({ id }) => id === (values.profile ?? PROFILES[0].id));
   if (!profile) throw new UsageError(`--profile should be ${PROFILES.map(({ id }) => id).join(" or ")}, but it is "${values.profile}".`);
+  const fps = PACES.find((pace) => `${pace}` === (values.fps ?? `${FPS}`));
+  if (fps === undefined) throw new UsageError(`--fps should be ${PACES.join(" or ")}, but it is "${values.fps}".`);
   const [out, clip, track] = [values.out ?? null, values.clip ?? null, values.track ?? null];
-  return { inputs, out, clip, profile, track, every, anyway: values.anyway ?? false, progress };
+  const [all = false, inPlace = false, loop = false, anyway = false, json = false] = [
+    values.all,
+    values["in-place"],
+    values.loop,
+    values.anyway,
+    values.json,
+  ];
+  return { inputs, out, clip, all, profile, inPlace, cut: { fps, loop }, track, every, anyway, json, progress };
 }
 
 /** Errors (FileError): the GLB would be too large. */
-function checkSize({ out, every, profile }: BakeCommand, model: Model, frames: number): void {
-  const fault = out === null ? null : sizeFault(model, [frames], every, profile);
+function checkSize({ out, every, profile, cut }: BakeCommand, { model }: BakeInputs, clips: readonly Clip[], next: number): void {
+  const frames = [...lengthsOf(clips), Math.round((next * cut.fps) / FPS)];
+  const fault = out === null ? null : sizeFault(model, frames, every, profile);
   if (!fault) return;
-  throw new FileError(`${out} ${fault.text}: --every ${fault.every} keeps fewer of its ${frames.toLocaleString("en-US")} frames.`);
+  const all = frames.reduce((sum, n) => sum + n, 0).toLocaleString("en-US");
+  throw new FileError(`${out} ${fault.text}: --every ${fault.every} keeps fewer of its ${all} frames.`);
 }
 
 /** Errors (FileError): nothing of the model would move as the human does. With --anyway the notes say so. */
@@ -98,112 +117,120 @@ function checkPairing(document: ProjectDocument, motion: Motion, anyway: boolean
   if (fault !== null) throw new FileError(`${fault} --anyway bakes it all the same.`);
 }
 
-interface Opened {
-  document: ProjectDocument;
-  model: Model;
-  motion: MotionInput;
+const stem = (name: string): string => name.replace(/\.[^.]*$/, "");
+
+interface Danced {
+  readonly document: ProjectDocument;
+  readonly baked: Bake;
 }
 
-async function openProject(path: string, progress: Progress, signal: AbortSignal): Promise<Opened> {
-  const { document, modelFiles, motion } = await loadProject(path);
-  if (document.points.length === 0) throw new FileError(`${basename(path)}: points is empty; at least one is needed to dance.`);
-  const model = await readModelInThread(modelFiles, reading(progress, signal));
-  const vertices = model.positions.length / 3;
-  if (document.points.length > vertices) {
-    throw new FileError(
-      `${basename(path)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`,
-    );
-  }
-  return { document, model, motion };
-}
-
-function reading(progress: Progress, signal: AbortSignal, step = "Reading the model"): ThreadOptions {
-  progress.step(step);
-  return { signal, onProgress: (done) => progress.step(step, done) };
-}
-
-/** Errors (UsageError): the file holds several and none is asked for, or none of this name; says which it holds. */
-function chosenClip(file: string, clips: readonly FoundClip[], wanted: string | null): FoundMotion {
-  const same = ({ name }: FoundClip): boolean => name.toLowerCase() === wanted?.toLowerCase();
-  const chosen = wanted === null && clips.length === 1 ? clips[0] : clips.find(same);
-  if (chosen) return chosen.motion;
-  const list = clips.map(({ name, seconds }) => `\n  ${name} (${seconds.toFixed(1)} s)`).join("");
-  throw new UsageError(
-    wanted === null
-      ? `${file} holds ${count(clips.length, "motion")}; choose one with --clip NAME:${list}`
-      : `${file} holds no motion "${wanted}", but:${list}`,
-  );
-}
-
-/** A model and a motion without a project: what a project would say is guessed. */
-async function guessed({ inputs, clip, progress }: BakeCommand, binding: Binding, signal: AbortSignal): Promise<Opened> {
-  const { modelFiles, motion: read, clipFiles } = await loadModelAndMotion(inputs);
-  if (read && clip !== null) throw new UsageError(`--clip chooses a motion of an FBX or a GLB, but ${read.input.name} is one motion.`);
-  const motion =
-    read ?? chosenClip(clipFiles[0].name, await readClipsInThread(clipFiles, reading(progress, signal, "Reading the motion")), clip);
-  const model = await readModelInThread(modelFiles, reading(progress, signal));
-  progress.step("Looking at the model");
-  const { joints } = await binding.takeMotion(motion.input, () => ({ signal }));
-  const said = await binding.engine.analyseShape(shapeInput(model), { signal });
-  const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motion.files, model, said, joints);
-  const { up, facing } = document.mesh;
-  progress.note(
-    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ` +
-      `${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
-  );
-  progress.note(
-    `guessed ${count(document.points.length, "point")}: ` +
-      `${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
-  );
-  return { document, model, motion: motion.input };
-}
-
-async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void> {
-  const { progress, profile, every } = command;
-  const outputs = await OutputFiles.prepare([command.out, command.track]);
-  const engine = await createNodeEngine();
-  const binding = new Binding(engine);
-  try {
-    const { document, model, motion } =
-      command.inputs.length === 1 && !formatNamed(command.inputs[0])?.clips
-        ? await openProject(command.inputs[0], progress, signal)
-        : await guessed(command, binding, signal);
+/** One motion after the other, each told when it is done. */
+async function danceAll(
+  command: BakeCommand,
+  inputs: BakeInputs,
+  binding: Binding,
+  signal: AbortSignal,
+): Promise<{ clips: Clip[]; last: Danced }> {
+  const { progress, inPlace } = command;
+  const { model, motions } = inputs;
+  const settings = inPlace ? { ...inputs.document.settings, inPlace } : inputs.document.settings;
+  const clips: Clip[] = [];
+  let last: Danced | null = null;
+  for (const [n, { files, input }] of motions.entries()) {
+    const document = { ...inputs.document, settings, motion: { files } };
+    const several = motions.length > 1 ? `${stem(input.name)} (${n + 1} of ${motions.length}): ` : "";
     const baked = await bake(
       binding,
       document,
-      { model, motion },
+      { model, motion: input },
       {
         signal,
-        onProgress: (step, done) => progress.step(step, done),
+        onProgress: (step, done) => progress.step(several + step, done),
         onMotion: (read) => checkPairing(document, read, command.anyway),
-        onSolved: (frames) => checkSize(command, model, frames),
+        onSolved: (frames) => checkSize(command, inputs, clips, frames),
       },
     );
-    for (const note of [...model.notes, ...baked.motion.notes, ...pairingNotes(document, baked.motion)]) progress.note(note);
-    if (command.out !== null) {
-      progress.step("Writing");
-      const name = document.name || motion.name.replace(/\.[^.]*$/, "");
-      const tools = { buildSkin: buildSkinInNode, signal, onProgress: (done: number) => progress.step("Writing", done) };
-      const dance = { name, model, mesh: document.mesh, points: document.points, clips: [{ name, frames: baked.frames }] };
-      const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
-      await outputs.add(command.out, glb);
-      const kept = keptFrames(baked.frames.length, every).length;
-      progress.done(
-        `${command.out}: ${count(kept, "frame")}, ` +
-          `${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
-      );
-      if (likeness) progress.note(`${sayLikeness(likeness)}.`);
-      if (profile.mostKept !== null && kept > profile.mostKept) {
-        const enough = everyFor([baked.frames.length], profile);
-        progress.note(`Some viewers take at most ${profile.mostKept} kept frames: --every ${enough} stays below.`);
-      }
-    }
-    if (command.track !== null) {
-      await outputs.add(command.track, new TextEncoder().encode(serializeTrack(trackOf(document, model, baked))));
-      progress.done(`${command.track}: ${count(document.points.length, "point")}, ${count(baked.frames.length, "frame")}`);
+    for (const note of [...(n === 0 ? model.notes : []), ...baked.motion.notes, ...pairingNotes(document, baked.motion)])
+      progress.note(note);
+    clips.push({ name: nameOf(inputs, motions, input.name), frames: cutClip(baked.frames, command.cut) });
+    last = { document, baked };
+  }
+  if (!last) throw new UsageError("There is no motion to bake.");
+  return { clips, last };
+}
+
+/** One motion alone is called as its model is. */
+function nameOf({ document }: BakeInputs, motions: readonly FoundMotion[], motion: string): string {
+  return motions.length > 1 ? stem(motion) : document.name || stem(motion);
+}
+
+interface Report {
+  bytes: number | null;
+  joints: number | null;
+  rms: number | null;
+  worst: number | null;
+}
+
+async function writeGlb(
+  command: BakeCommand & { out: string },
+  { document, model }: BakeInputs,
+  clips: readonly Clip[],
+  outputs: OutputFiles,
+  signal: AbortSignal,
+): Promise<Report> {
+  const { progress, profile, every, out, cut } = command;
+  progress.step("Writing");
+  const name = document.name || clips[0].name;
+  const tools = { buildSkin: buildSkinInNode, signal, onProgress: (done: number) => progress.step("Writing", done) };
+  const dance = { name, model, mesh: document.mesh, points: document.points, clips, fps: cut.fps };
+  const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
+  await outputs.add(out, glb);
+  const kept = keptOf(lengthsOf(clips), every);
+  progress.done(
+    `${out === STDOUT ? "standard output" : out}: ${clips.length > 1 ? `${count(clips.length, "clip")}, ` : ""}${count(kept, "frame")}, ` +
+      `${count(model.drawn.toVertex.length, "vertex", "vertices")}, ${(glb.length / 1e6).toFixed(1)} MB`,
+  );
+  if (likeness) progress.done(`note: ${sayLikeness(likeness)}.`);
+  const replaced = sayReplaced(model);
+  if (replaced) progress.note(replaced);
+  if (profile.mostKept !== null && kept > profile.mostKept) {
+    const enough = everyFor(lengthsOf(clips), profile);
+    progress.note(`Some viewers take at most ${profile.mostKept} kept frames: --every ${enough} stays below.`);
+  }
+  return { bytes: glb.length, ...figures(likeness) };
+}
+
+const figures = (likeness: Likeness | null): Omit<Report, "bytes"> => ({
+  joints: likeness?.joints ?? null,
+  rms: likeness?.rms ?? null,
+  worst: likeness?.worst ?? null,
+});
+
+async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void> {
+  const began = performance.now();
+  const { progress, out, track, every, cut } = command;
+  const outputs = await OutputFiles.prepare([out, track]);
+  const engine = await createNodeEngine();
+  const binding = new Binding(engine);
+  try {
+    const inputs = await openInputs(command, binding, signal);
+    outputs.keepInputs();
+    if (track !== null && inputs.motions.length > 1) throw new UsageError("--track holds one motion, but there are several.");
+    const { clips, last } = await danceAll(command, inputs, binding, signal);
+    let report: Report = { bytes: null, ...figures(null) };
+    if (out !== null) report = await writeGlb({ ...command, out }, inputs, clips, outputs, signal);
+    if (track !== null) {
+      const { document, baked } = last;
+      await outputs.add(track, new TextEncoder().encode(serializeTrack(trackOf(document, inputs.model, baked))));
+      progress.done(`${track}: ${count(document.points.length, "point")}, ${count(baked.frames.length, "frame")}`);
     }
     signal.throwIfAborted();
     await outputs.commit();
+    if (!command.json) return;
+    const seconds = (performance.now() - began) / 1000;
+    const told = keptClips(clips, every).map(({ name, kept }) => ({ name, frames: kept.length, seconds: kept[kept.length - 1] / cut.fps }));
+    const json = { file: out, track, ...report, profile: command.profile.id, clips: told, seconds, warnings: progress.notes };
+    await print(`${JSON.stringify(json, null, 2)}\n`);
   } finally {
     engine.close();
     await outputs.discard();

@@ -156,7 +156,7 @@ export function createActions(actors: Actors): Actions {
     redo: { label: "Redo", keys: ["Ctrl+Shift+Z", "Ctrl+Y"], enabled: () => history.canRedo || held(), run: () => history.redo() },
     open: { label: "Open", help: "Open files", keys: ["Ctrl+O"], whileTyping: true, run: () => void opening.pick() },
     save: { label: "Save", help: "Save the project file", keys: ["Ctrl+S"], whileTyping: true, run: () => void saving.save() },
-    export: { label: "Export", enabled: danced, run: () => void saving.exportModel() },
+    export: { label: "Export", enabled: danced, run: () => void saving.openExport() },
     loop: { label: "Loop", run: () => player.setLoop(!player.loop) },
     speed: { label: "Speed", run: () => player.nextSpeed() },
     help: { label: "Help and keys", keys: ["?"], run: () => selection.setHelp(true) },

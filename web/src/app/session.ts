@@ -53,7 +53,7 @@ export class Session {
   readonly presenter = new Presenter(this.context, this);
   readonly thumbnails = new Thumbnails(this.context, this.poses, this.dragging, this.presenter, this.ports.clock);
   readonly opening = new Opening(this.context, this, this.ports);
-  readonly saving = new Saving(this.context, this.jobs, this.sources, this.ports);
+  readonly saving = new Saving(this.context, this, this.ports);
   readonly actions = createActions(this);
   /** Here once there is something to keep. */
   keeping: Keeping | null = null;

@@ -41,6 +41,8 @@ export interface Topics {
   coverage: void;
   /** A file's motions are to be chosen from, or not any more. */
   clips: void;
+  /** The file that is to be taken along, or how far it is. */
+  export: void;
   /** The stage was built. */
   stage: void;
   /** The model was put on the stage anew: V x 3, at rest. */

@@ -23,6 +23,8 @@ export interface Tools extends CallOptions {
 /** A kind of file that a dance is exported as. profiles.ts is the table of them. */
 export interface Profile {
   readonly id: string;
+  /** As a button says it. */
+  readonly name: string;
   /** How it holds the dance. */
   readonly words: string;
   /** Who opens it: "It opens in ...". */

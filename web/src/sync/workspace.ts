@@ -125,24 +125,64 @@ export class Workspace extends Emitter<WorkspaceEvents> {
    * cancelled, or what the document asks for cannot be done.
    */
   vertexFrames(call: CallOptions): Promise<Frame[]> {
-    this.abort.abort();
-    const result = this.chain.then(async () => {
-      const frames: Frame[] = [];
+    return this.alone(async () => {
+      let frames: Frame[] = [];
       await this.recovering(async () => {
         const document = this.document();
         const signal = call.signal ?? new AbortController().signal;
         await this.binding.take(document, this.partsOf(document), () => ({ signal }));
         this.announce();
         await this.solve(document, signal);
-        const order = Array.from({ length: this.performance?.frames ?? 0 }, (_, f) => f);
-        await this.binding.frames(
-          order,
-          (index, frame) => (frames[index] = frame),
-          () => call,
-        );
+        frames = await this.allFrames(this.performance?.frames ?? 0, call);
       });
       return frames;
     });
+  }
+
+  /**
+   * The same of other documents, one after the other, each told with its motion; null where `fits` says that it is none for it.
+   * Rejects likewise.
+   */
+  eachDance(
+    documents: readonly ProjectDocument[],
+    fits: (document: ProjectDocument, motion: Motion) => boolean,
+    take: (n: number, frames: Frame[] | null) => void,
+    callFor: (n: number) => CallOptions,
+  ): Promise<void> {
+    return this.alone(async () => {
+      for (const [n, document] of documents.entries()) {
+        const { signal, ...call } = callFor(n);
+        const quiet = (): CallOptions => (signal ? { signal } : {});
+        let frames: Frame[] | null = null;
+        await this.recovering(async () => {
+          const parts = this.partsOf(document);
+          if (!parts.motion) throw new EngineError("bad_motion", `${document.motion.files.at(-1)} is not there.`);
+          const motion = await this.binding.takeMotion(parts.motion, quiet);
+          if (!fits(document, motion)) return;
+          await this.binding.take(document, parts, quiet);
+          const { frames: count } = await this.binding.solve(document, quiet);
+          frames = await this.allFrames(count, { ...call, ...quiet() });
+        });
+        take(n, frames);
+      }
+    });
+  }
+
+  private async allFrames(count: number, call: CallOptions): Promise<Frame[]> {
+    const frames: Frame[] = [];
+    const order = Array.from({ length: count }, (_, f) => f);
+    await this.binding.frames(
+      order,
+      (index, frame) => (frames[index] = frame),
+      () => call,
+    );
+    return frames;
+  }
+
+  /** Work for which baking stops. */
+  private alone<T>(work: () => Promise<T>): Promise<T> {
+    this.abort.abort();
+    const result = this.chain.then(work);
     const goOn = (): void => {
       this.interruptible = true;
       void this.sync();

@@ -120,7 +120,7 @@ export class App extends LitElement {
     const { session } = this;
     void session.start(() => this.buildStage(this.host));
     globalThis.rigless = debugPage(session);
-    for (const topic of ["panel", "help", "jobs", "pins", "coverage", "clips"] as const) session.signals.on(topic, () => this.loadLate());
+    for (const topic of ["panel", "help", "jobs", "pins", "coverage", "clips", "export"] as const) session.signals.on(topic, () => this.loadLate());
     for (const topic of ["panel", "notices", "intro", "jobs", "pairing", "pins", "coverage", "stage"] as const)
       session.signals.on(topic, () => this.reframe());
     session.signals.on("panel", () => {
@@ -169,6 +169,7 @@ export class App extends LitElement {
       ${this.dropping ? html`<rigless-drop></rigless-drop>` : ""}
       <rigless-help .session=${session}></rigless-help>
       <rigless-clips .session=${session}></rigless-clips>
+      <rigless-export .session=${session}></rigless-export>
     `;
   }
 

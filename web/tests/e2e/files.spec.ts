@@ -126,10 +126,12 @@ test("a project saved and opened again is the same", async ({ page }) => {
 
 test("the dance is exported as a GLB", async ({ page }) => {
   await open(page);
-  const [download] = await Promise.all([
-    page.waitForEvent("download", { timeout: 60_000 }),
-    page.getByRole("button", { name: "Export" }).click(),
-  ]);
+  await page.getByRole("button", { name: "Export" }).click();
+  const panel = page.getByRole("dialog", { name: "Take Cactus with you" });
+  const save = panel.getByRole("button", { name: "Save Cactus.glb" });
+  await expect(save).toBeEnabled({ timeout: 60_000 });
+  await expect(panel).toContainText("in the worst place");
+  const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), save.click()]);
   expect(download.suggestedFilename()).toBe("Cactus.glb");
   const bytes = readFileSync(await download.path());
   expect(bytes.subarray(0, 4).toString()).toBe("glTF");

@@ -1,5 +1,7 @@
 import { expect, test } from "vitest";
 import { openProject } from "../../src/io/project-file";
+import type { MadeFile } from "../../src/app/exporting";
+import type { Session } from "../../src/app/session";
 import { dancingSession, said } from "./app-support";
 
 test("a project is downloaded with everything it names, and is saved then", async () => {
@@ -15,9 +17,23 @@ test("a project is downloaded with everything it names, and is saved then", asyn
   expect(opened.motion.text).toContain("Frames: 30");
 });
 
-test("the dance is exported as a GLB, of which the size is told", async () => {
+/** Until the file is there. */
+async function made({ saving }: Session): Promise<MadeFile> {
+  await expect.poll(() => saving.exporting?.state.kind, { timeout: 60_000 }).toBe("made");
+  const state = saving.exporting?.state;
+  if (state?.kind !== "made") throw new Error("nothing was made");
+  return state.file;
+}
+
+test("the dance is exported as a GLB, of which size and likeness are told before it is saved", async () => {
   const { session, ports } = await dancingSession();
-  await session.saving.exportModel();
+  await session.saving.openExport();
+  const file = await made(session);
+  expect(file).toMatchObject({ name: "Cactus.glb", clips: 1, frames: 30, notes: [] });
+  expect(file.likeness?.worst).toBeLessThan(0.02);
+  expect(ports.downloads).toEqual([]);
+  session.saving.exporting?.save();
+  expect(session.saving.exporting?.state.kind).toBe("closed");
   const [{ name, bytes, type }] = ports.downloads;
   expect([name, type]).toEqual(["Cactus.glb", "model/gltf-binary"]);
   expect(new TextDecoder().decode(bytes.subarray(0, 4))).toBe("glTF");
@@ -26,6 +42,22 @@ test("the dance is exported as a GLB, of which the size is told", async () => {
   expect(json.accessors[json.animations[0].samplers[0].input].count).toBe(30);
   expect(said(session.context)).toEqual([expect.stringMatching(/^Cactus\.glb is [\d.]+ kB\.$/)]);
 });
+
+test("all motions leave in one file, and the one that plays goes on", async () => {
+  const { session } = await dancingSession();
+  await session.saving.openExport();
+  session.saving.exporting?.want({ all: true, inPlace: true });
+  const file = await made(session);
+  expect(file.clips).toBe(session.motions.list.length);
+  expect(file.frames).toBe(30 * file.clips);
+  const json = JSON.parse(new TextDecoder().decode(file.bytes.subarray(20, 20 + new DataView(file.bytes.buffer).getUint32(12, true))));
+  expect(json.skins).toHaveLength(1);
+  expect(json.animations.map(({ name }: { name: string }) => name)).toContain("Folk_dance");
+  expect(session.context.motionName).toBe("hop.bvh");
+  session.saving.exporting?.want({ fps: 60 });
+  session.saving.exporting?.stop();
+  expect(session.saving.exporting?.state.kind).toBe("stopped");
+}, 120_000);
 
 test("what cannot be saved says why", async () => {
   const { session } = await dancingSession();

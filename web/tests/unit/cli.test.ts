@@ -188,7 +188,7 @@ describe("rigless bake without a project", () => {
     expect(await bake("ball.glb", "person.glb")).toMatchObject({
       code: 2,
       stderr: expect.stringContaining(
-        "person.glb holds 2 motions; choose one with --clip NAME:\n  Walk (1.0 s)\n  Run (1.0 s)\n",
+        "person.glb holds 2 motions; choose one with --clip NAME, or --all:\n  Walk (1.0 s)\n  Run (1.0 s)\n",
       ) as string,
     });
     expect((await bake("ball.glb", "person.glb", "--clip", "Sit")).stderr).toContain('person.glb holds no motion "Sit", but:\n  Walk');
@@ -365,7 +365,7 @@ describe("what cannot be done", () => {
     const bake = (...files: string[]): string[] => ["bake", ...files, "--out", "dance.glb"];
     expect(await refused({ "bean.obj": bean, "hop.bvh": hop }, ...bake("bean.obj", "no.bvh"))).toBe("no.bvh: there is no such file.");
     expect(await refused({ "two.obj": bean }, ...bake("bean.obj", "two.obj"))).toBe(
-      "one model and one motion are needed, but among bean.obj, two.obj there are 2 and 0.",
+      "one model and a motion are needed, but among bean.obj, two.obj there are 2 and 0.",
     );
     expect(await refused({ "a.amc": ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n" }, ...bake("bean.obj", "a.amc"))).toContain(
       "needs its skeleton",

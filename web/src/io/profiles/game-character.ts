@@ -7,6 +7,7 @@ const MOST_JOINTS = 64;
 /** Core glTF 2.0 as engines expect a character to be. */
 export const gameCharacter: Profile = {
   id: "game",
+  name: "Game character",
   words: "a skeleton of its own, for games",
   worksIn: "Blender, Unity, Unreal, Godot and on the web",
   extension: "glb",

@@ -4,6 +4,7 @@ import type { Profile } from "../profile";
 /** Core glTF 2.0, which every viewer reads. */
 export const morphTargets: Profile = {
   id: "morph",
+  name: "Exact morphs",
   words: "one morph target per kept frame",
   worksIn: "Blender and on the web; engines for games take few morph targets or none",
   extension: "glb",

@@ -2,6 +2,7 @@
 
 import "./clip-chooser";
 import "./drop-overlay";
+import "./export-panel";
 import "./help";
 import "./job-card";
 import "./panel-model";

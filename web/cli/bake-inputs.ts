@@ -1,0 +1,113 @@
+// What there is to bake: a project, or a model and what is guessed of it, with one motion or several.
+
+import { basename } from "node:path";
+
+import type { ProjectDocument } from "../src/document/types";
+import type { FoundClip } from "../src/io/clips/found-clip";
+import { count } from "../src/io/count";
+import { formatNamed } from "../src/io/formats";
+import type { Model } from "../src/io/model";
+import type { FoundMotion } from "../src/io/read-motion-files";
+import type { Binding } from "../src/sync/binding";
+import { guessProject } from "../src/sync/guess";
+import { shapeInput } from "../src/sync/shape-input";
+import { FileError, loadModelAndMotions, loadMotions, loadProject, type MotionFiles, motionsOfProject } from "./files";
+import { readClipsInThread, readModelInThread, type ThreadOptions } from "./parse-in-thread";
+import type { Progress } from "./progress";
+import { UsageError } from "./verb";
+
+export interface BakeInputs {
+  readonly document: ProjectDocument;
+  readonly model: Model;
+  /** One at least. */
+  readonly motions: readonly FoundMotion[];
+}
+
+export interface Asked {
+  /** A project and perhaps motions, or a model and the files of motions. */
+  readonly inputs: readonly string[];
+  readonly clip: string | null;
+  /** All motions that there are. */
+  readonly all: boolean;
+  readonly progress: Progress;
+}
+
+/** Whether the first input is a project. */
+export const isProject = ([first]: readonly string[]): boolean => ["project", "archive"].includes(formatNamed(first)?.kind ?? "");
+
+/** Errors: FileError, UsageError, ModelError, EngineError. */
+export function openInputs(asked: Asked, binding: Binding, signal: AbortSignal): Promise<BakeInputs> {
+  const [first, ...more] = asked.inputs;
+  return isProject(asked.inputs) || (more.length === 0 && !formatNamed(first)?.clips)
+    ? openProject(asked, signal)
+    : guessed(asked, binding, signal);
+}
+
+async function openProject(asked: Asked, signal: AbortSignal): Promise<BakeInputs> {
+  const [path, ...more] = asked.inputs;
+  const { document, modelFiles, motion } = await loadProject(path);
+  if (document.points.length === 0) throw new FileError(`${basename(path)}: points is empty; at least one is needed to dance.`);
+  const own = { files: document.motion.files, input: motion };
+  const motions =
+    more.length > 0 ? await motionsOf(asked, await loadMotions(more), signal) : asked.all ? await motionsOfProject(path, own) : [own];
+  const model = await readModelInThread(modelFiles, reading(asked, signal));
+  const vertices = model.positions.length / 3;
+  if (document.points.length > vertices) {
+    throw new FileError(
+      `${basename(path)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`,
+    );
+  }
+  return { document, model, motions };
+}
+
+/** A model and motions without a project: what a project would say is guessed. */
+async function guessed(asked: Asked, binding: Binding, signal: AbortSignal): Promise<BakeInputs> {
+  const { progress } = asked;
+  const { modelFiles, ...files } = await loadModelAndMotions(asked.inputs);
+  const motions = await motionsOf(asked, files, signal);
+  const model = await readModelInThread(modelFiles, reading(asked, signal));
+  progress.step("Looking at the model");
+  const { joints } = await binding.takeMotion(motions[0].input, () => ({ signal }));
+  const said = await binding.engine.analyseShape(shapeInput(model), { signal });
+  const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motions[0].files, model, said, joints);
+  const { up, facing } = document.mesh;
+  progress.note(
+    `${model.name} is taken to stand with ${up} up and to look along ${facing}; ` +
+      `${said.symmetry ? "its sides are alike" : "its sides are not alike"}.`,
+  );
+  progress.note(
+    `guessed ${count(document.points.length, "point")}: ` +
+      `${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
+  );
+  return { document, model, motions };
+}
+
+function reading({ progress }: Asked, signal: AbortSignal, step = "Reading the model"): ThreadOptions {
+  progress.step(step);
+  return { signal, onProgress: (done) => progress.step(step, done) };
+}
+
+/** Errors (UsageError): a clip is asked for where there is none; chosenClips'. */
+async function motionsOf(asked: Asked, { motions, clipFiles }: MotionFiles, signal: AbortSignal): Promise<FoundMotion[]> {
+  if (asked.clip !== null && clipFiles.length === 0)
+    throw new UsageError(`--clip chooses a motion of an FBX or a GLB, but ${motions[0].input.name} is one motion.`);
+  const found = [...motions];
+  for (const files of clipFiles) {
+    const clips = await readClipsInThread(files, reading(asked, signal, "Reading the motion"));
+    found.push(...chosenClips(files[0].name, clips, asked).map(({ motion }) => motion));
+  }
+  return found;
+}
+
+/** Errors (UsageError): the file holds several and none is asked for, or none of this name; says which it holds. */
+function chosenClips(file: string, clips: readonly FoundClip[], { clip: wanted, all }: Asked): readonly FoundClip[] {
+  if (all || (wanted === null && clips.length === 1)) return clips;
+  const chosen = clips.find(({ name }) => name.toLowerCase() === wanted?.toLowerCase());
+  if (chosen) return [chosen];
+  const list = clips.map(({ name, seconds }) => `\n  ${name} (${seconds.toFixed(1)} s)`).join("");
+  throw new UsageError(
+    wanted === null
+      ? `${file} holds ${count(clips.length, "motion")}; choose one with --clip NAME, or --all:${list}`
+      : `${file} holds no motion "${wanted}", but:${list}`,
+  );
+}
