@@ -120,7 +120,8 @@ export class App extends LitElement {
     const { session } = this;
     void session.start(() => this.buildStage(this.host));
     globalThis.rigless = debugPage(session);
-    for (const topic of ["panel", "help", "jobs", "pins", "coverage", "clips", "export"] as const) session.signals.on(topic, () => this.loadLate());
+    for (const topic of ["panel", "help", "jobs", "pins", "coverage", "clips", "export"] as const)
+      session.signals.on(topic, () => this.loadLate());
     for (const topic of ["panel", "notices", "intro", "jobs", "pairing", "pins", "coverage", "stage"] as const)
       session.signals.on(topic, () => this.reframe());
     session.signals.on("panel", () => {

@@ -26,8 +26,8 @@ export class ExportPanel extends SessionElement {
       .seg .btn { flex: 1; min-width: 0; min-height: max(28px, var(--hit) - 4px); border-radius: 8px; padding: 0 8px; font: var(--t-body); }
       .seg .btn[aria-pressed="true"] { background: var(--ink); color: var(--on-ink); font-weight: 600; }
       .seg span { overflow: hidden; text-overflow: ellipsis; }
-      .facts { display: grid; grid-template-columns: 72px 1fr; gap: 4px 8px; padding: 12px 16px; border-radius: var(--r-l); min-height: 124px;
-        background: var(--desk); align-content: start; }
+      .facts { display: grid; grid-template-columns: 72px 1fr; gap: 4px 8px; padding: 12px 16px; border-radius: var(--r-l);
+        min-height: 124px; background: var(--desk); align-content: start; }
       dt { font: var(--t-small); color: var(--ink-2); line-height: 20px; }
       dd { margin: 0; font: var(--t-body); }
       .facts p { grid-column: 1 / -1; font: var(--t-small); color: var(--ink-2); }
@@ -65,6 +65,7 @@ export class ExportPanel extends SessionElement {
 
   private renderWish(exporting: Exporting) {
     const { wish, state, motions } = exporting;
+    const stopped = state.kind === "stopped" || state.kind === "failed";
     const now = motions.find((entry) => this.session.motions.isPlaying(entry))?.name ?? "This motion";
     const made = state.kind === "made" ? state.file : null;
     return html`
@@ -91,8 +92,9 @@ export class ExportPanel extends SessionElement {
       ${this.renderState(exporting)}
       <div class="acts">
         ${state.kind === "making" ? html`<button class="btn line" @click=${() => exporting.stop()}>Cancel</button>` : ""}
-        ${state.kind === "stopped" || state.kind === "failed" ? html`<button class="btn line" @click=${() => exporting.make()}>Make it</button>` : ""}
-        <button class="btn primary" ?disabled=${!made} @click=${() => exporting.save()}><span>Save ${made?.name ?? "the file"}</span></button>
+        ${stopped ? html`<button class="btn line" @click=${() => exporting.make()}>Make it</button>` : ""}
+        <button class="btn primary" ?disabled=${!made} @click=${() => exporting.save()}
+          ><span>Save ${made?.name ?? "the file"}</span></button>
       </div>`;
   }
 
