@@ -7,7 +7,7 @@ export function fetchAhead(): void {
     const parts = [
       () => import("./ui/elements/late"),
       () => import("./io/project-file"),
-      () => import("./io/export-dance"),
+      () => import("./app/exporting"),
       () => import("./engine/skin-in-worker"),
       () => import("./app/keeping"),
       () => import("./page/shelf"),

@@ -132,7 +132,9 @@ test("each key of the table does what it says", async () => {
   press("save");
   await expect.poll(() => history.saved).toBe(true);
   press("export");
-  await expect.poll(() => ports.downloads.map(({ name }) => name)).toEqual(["Cactus.rigless", "Cactus.glb"]);
+  await expect.poll(() => session.saving.exporting?.state.kind, { timeout: 60_000 }).toBe("made");
+  session.saving.exporting?.save();
+  expect(ports.downloads.map(({ name }) => name)).toEqual(["Cactus.rigless", "Cactus.glb"]);
   ports.chosen = [file("letter.docx", "Dear all")];
   press("open");
   await expect.poll(() => context.notices.all[0]?.title).toContain("letter.docx");

@@ -128,6 +128,36 @@ describe("rigless bake", () => {
     expect(bytesOf("game.glb").length).toBeLessThan(200_000);
   });
 
+  it("makes one file of several motions, at the asked pace, and tells a machine of it", async () => {
+    const motions = ["kick", "folk"].map((name) => join(web, `assets/motions/${name}.bvh`));
+    const run = await rigless("bake", cactus, ...motions, "-q", "--json", "--out", "two.glb", "--in-place", "--fps", "24", "--loop");
+    expect(run.code, run.stderr).toBe(0);
+    const glb = bytesOf("two.glb");
+    const report = JSON.parse(run.stdout);
+    expect(report).toMatchObject({ file: "two.glb", bytes: glb.length, clips: [{ name: "kick" }, { name: "folk" }] });
+    expect(report.warnings).toEqual(["kick.bvh seems to be in centimetres.", "folk.bvh seems to be in centimetres."]);
+    expect(report.worst).toBeGreaterThan(report.rms);
+    expect((await validateBytes(glb)).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+    const { accessors = [], animations = [], skins = [] } = (await openGlb(glb)).json;
+    expect(skins).toHaveLength(1);
+    expect(skins[0].joints).toHaveLength(report.joints);
+    const ends = animations.map(({ samplers }) => accessors[samplers[0].input]);
+    ends.forEach(({ count, max = [] }, n) => {
+      expect(count).toBe(report.clips[n].frames);
+      expect(24 * max[0]).toBeCloseTo(count - 1, 4);
+    });
+  });
+
+  it("writes to standard output as -", async () => {
+    const bytes = await new Promise<Buffer>((resolve) => {
+      const args = [program, "bake", cactus, "--out", "-", "-q", "--every", "8"];
+      execFile(process.execPath, args, { cwd: folder, encoding: "buffer", maxBuffer: 1e8 }, (_, stdout) => resolve(stdout));
+    });
+    expect(bytes.subarray(0, 4).toString()).toBe("glTF");
+    expect(bytes.readUInt32LE(8)).toBe(bytes.length);
+    expect(readdirSync(folder)).toEqual([]);
+  });
+
   it.skipIf(!hasShared)(
     "walks a cow with an ASF and an AMC, from a folder and from a saved file (skipped where ../shared/data is absent)",
     async () => {
@@ -377,6 +407,20 @@ describe("what cannot be done", () => {
       "no/where.glb: there is no folder no.",
     );
     expect(await refused({}, "bake", "project.json", "--out", ".")).toBe(".: it is a folder.");
+  });
+
+  it("replaces no input, device or link to nothing, and no result by another", async () => {
+    const files = { "project.json": project({}), "bean.obj": bean, "hop.bvh": hop };
+    const own = "it is read for this; a result goes elsewhere.";
+    const bake = (...args: string[]): string[] => ["bake", "project.json", "--anyway", "--quiet", ...args];
+    expect(await refused(files, ...bake("--out", "bean.obj"))).toBe(`bean.obj: ${own}`);
+    symlinkSync("hop.bvh", join(folder, "link.glb"));
+    expect(await refused({}, ...bake("--out", "link.glb"))).toBe(`link.glb: ${own}`);
+    expect(bytesOf("hop.bvh")).toEqual(new Uint8Array(hop));
+    symlinkSync("nothing", join(folder, "lost.glb"));
+    expect(await refused({}, ...bake("--out", "lost.glb"))).toBe("lost.glb: it is a link to nothing.");
+    expect(await refused({}, ...bake("--out", "/dev/null"))).toBe("/dev/null: it is a device or a pipe, not a file.");
+    expect(await refused({}, ...bake("--out", "a.glb", "--track", "./a.glb"))).toBe("./a.glb: two results cannot be one file.");
   });
 
   it("asks for what it needs", async () => {

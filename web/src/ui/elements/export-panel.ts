@@ -17,16 +17,17 @@ export class ExportPanel extends SessionElement {
     css`
       dialog { border: 0; color: var(--ink); background: var(--paper); border-radius: 20px; box-shadow: var(--lift-2);
         padding: var(--s2) var(--s3) var(--s3); width: 456px; max-width: calc(100vw - 16px); max-height: calc(100dvh - 16px); }
-      dialog[open] { display: grid; gap: 12px; align-content: start; }
+      dialog[open] { display: grid; grid-template-columns: minmax(0, 1fr); gap: 12px; align-content: start; }
       dialog::backdrop { background: light-dark(rgb(227 236 240 / .82), rgb(16 23 29 / .78)); }
       h2 { font: var(--t-title); display: flex; justify-content: space-between; align-items: center; margin: 0 -8px 0 0; gap: 8px; }
       h2 span { overflow-wrap: anywhere; }
-      .row { display: grid; grid-template-columns: 72px 1fr; gap: 8px; align-items: center; font: var(--t-small); color: var(--ink-2); }
+      .row { display: grid; grid-template-columns: 72px minmax(0, 1fr); gap: 8px; align-items: center; font: var(--t-small);
+        color: var(--ink-2); }
       .seg { display: flex; padding: 2px; border-radius: var(--r-m); background: var(--desk); box-shadow: inset 0 0 0 1px var(--line); }
       .seg .btn { flex: 1; min-width: 0; min-height: max(28px, var(--hit) - 4px); border-radius: 8px; padding: 0 8px; font: var(--t-body); }
       .seg .btn[aria-pressed="true"] { background: var(--ink); color: var(--on-ink); font-weight: 600; }
       .seg span { overflow: hidden; text-overflow: ellipsis; }
-      .facts { display: grid; grid-template-columns: 72px 1fr; gap: 4px 8px; padding: 12px 16px; border-radius: var(--r-l);
+      .facts { display: grid; grid-template-columns: 72px minmax(0, 1fr); gap: 4px 8px; padding: 12px 16px; border-radius: var(--r-l);
         min-height: 124px; background: var(--desk); align-content: start; }
       dt { font: var(--t-small); color: var(--ink-2); line-height: 20px; }
       dd { margin: 0; font: var(--t-body); }
@@ -39,7 +40,7 @@ export class ExportPanel extends SessionElement {
       .acts { display: flex; justify-content: flex-end; gap: var(--s1); }
       .acts .primary { min-width: 0; }
       .acts span { overflow: hidden; text-overflow: ellipsis; }
-      @media (max-width: 719px) { dialog { padding: 8px 16px 16px; } .row, .facts { grid-template-columns: 60px 1fr; } }
+      @media (max-width: 719px) { dialog { padding: 8px 16px 16px; } .row, .facts { grid-template-columns: 60px minmax(0, 1fr); } }
     `,
   ];
 
@@ -87,7 +88,7 @@ export class ExportPanel extends SessionElement {
       ])}
       ${row(
         "Frames",
-        PACES.map((fps) => [`${fps} per second`, wish.fps === fps, () => exporting.want({ fps })]),
+        PACES.map((fps) => [`${fps} fps`, wish.fps === fps, () => exporting.want({ fps })]),
       )}
       ${this.renderState(exporting)}
       <div class="acts">
