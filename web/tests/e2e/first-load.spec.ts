@@ -13,10 +13,11 @@ test("what the first load transfers fits in 480 kB, gzipped", async ({ page }) =
       .toBeGreaterThan(0);
   }
   await page.waitForTimeout(2_000);
+  const first = [...urls]; // what is fetched ahead comes while these are weighed
 
   let total = 0;
   const table: string[] = [];
-  for (const url of urls) {
+  for (const url of first) {
     const size = gzipSync(await (await page.request.get(url)).body()).length;
     total += size;
     table.push(`${size} ${new URL(url).pathname}`);
