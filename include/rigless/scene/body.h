@@ -8,7 +8,7 @@
 #include "rigless/mesh/detail/node_maps.h"
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
-#include "rigless/retarget/detail/foreleg.h"
+#include "rigless/retarget/detail/rests_on_ground.h"
 #include "rigless/scene/detail/drag.h"
 #include "rigless/scene/detail/limb_turns.h"
 #include "rigless/scene/detail/soles.h"
@@ -40,7 +40,6 @@ class Body {
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
     controls_.clear();
-    supports_.clear();
     limbs_.clear();
     topology_ = inspect_mesh(faces, count_of(rest));
     volume_ = is_solid() ? rigless::volume<S>(solid_, solid_.rest) : detail::signed_volume(rest, faces);
@@ -99,7 +98,7 @@ class Body {
   S lowest() const {
     S lowest = std::numeric_limits<S>::max();
     if (is_solid()) {
-      for (const std::int32_t v : supports_.empty() ? outermost_ : supports_)
+      for (const std::int32_t v : supports_)
         lowest = std::min(
             lowest, detail::carried_point(solid_, nth(solid_.element_of, v), nth(rest_, v), transforms_.data()).y());
       return lowest;
@@ -141,7 +140,7 @@ class Body {
 
   RIGLESS_COLD Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid) {
     if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
-    outermost_ = outermost_vertices(solid, rest);
+    supports_ = outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
     transforms_.resize(solid.rest.size());
     maps_.resize(solid.rest.size());

@@ -12,6 +12,7 @@ test("what the first load transfers fits in 480 kB, gzipped", async ({ page }) =
       .poll(() => [...urls].filter((url) => kind.test(url)).length, { message: String(kind), timeout: 60_000 })
       .toBeGreaterThan(0);
   }
+  await page.waitForLoadState("networkidle");
   await page.waitForTimeout(2_000);
   const first = [...urls]; // what is fetched ahead comes while these are weighed
 

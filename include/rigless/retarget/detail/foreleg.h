@@ -3,17 +3,12 @@
 
 #include <algorithm>
 
+#include "rigless/math/detail/smooth_step.h"
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/motion/joint_roles.h"
 
 namespace rigless::detail {
-
-// Whether a control rests on the ground as a foot does. floor: y of the lowest vertex; height: of the mesh.
-template <class S>
-bool rests_on_ground(const Vec3<S>& rest, S floor, S height) {
-  return rest.y() - floor < S(0.08) * height;
-}
 
 // 0 for a hand that hangs or swings, 1 for one above the shoulder. pose: J.
 template <class S>
@@ -23,8 +18,7 @@ S raised(const Vec3<S>* pose, const LimbRoles& arm) {
   const S reach =
       arm.elbow < 0 ? (hand - shoulder).norm() : (pose[arm.elbow] - shoulder).norm() + (hand - pose[arm.elbow]).norm();
   const S up = (hand.y() - shoulder.y()) / std::max(reach, S(1e-6));
-  const S x = std::clamp((up + S(0.6)) / S(0.8), S(0), S(1));
-  return x * x * (S(3) - S(2) * x);
+  return smooth_step((up + S(0.6)) / S(0.8));
 }
 
 }  // namespace rigless::detail

@@ -9,6 +9,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
+#include "rigless/retarget/detail/rests_on_ground.h"
 #include "rigless/retarget/detail/starter_figure.h"
 #include "rigless/retarget/detail/starter_model.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rigless/math/detail/macros.h"
+#include "rigless/math/detail/smooth_step.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
 #include "rigless/scene/detail/loop.h"
@@ -44,8 +45,7 @@ inline std::vector<double> freedom_of(const std::vector<std::uint8_t>& held, std
       for (std::int32_t k = 0; k < nearest; ++k)
         for (const std::int32_t g : {f - k, f + k})
           if (held[to_size(frame_around(g, frames, period)) * controls + c] != 0) nearest = k;
-      const double t = static_cast<double>(nearest) / accent_rest;
-      freedom[to_size(f) * controls + c] = t * t * (3 - 2 * t);
+      freedom[to_size(f) * controls + c] = smooth_step(static_cast<double>(nearest) / accent_rest);
     }
   }
   return freedom;

@@ -15,8 +15,7 @@ RIGLESS_COLD std::vector<LimbNode<S>> find_held_things(const Solid<S>& solid, Sp
                                                        const TrunkShape<S>& trunk, S most) {
   std::vector<LimbNode<S>> held;
   if (!(trunk.radius > S(0)) || limbs.empty()) return held;
-  std::vector<std::int32_t> owners;
-  for (const Vec3<S>& p : solid.rest) owners.push_back(nearest_limb(limbs, trunk, p, most).limb);
+  const std::vector<std::int32_t> owners = nearest_limbs(solid, limbs, trunk, most);
   std::vector<char> seen(solid.rest.size(), 0);
   std::vector<std::int32_t> piece;
   for (std::int32_t start = 0; start < count_of(solid.rest); ++start) {

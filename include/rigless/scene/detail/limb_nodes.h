@@ -92,13 +92,21 @@ NearestLimb<S> nearest_limb(Span<const LimbBones<S>> limbs, const TrunkShape<S>&
   return nearest;
 }
 
+// N: the nearest limb of each node, or -1. Allocates.
+template <class S>
+RIGLESS_COLD std::vector<std::int32_t> nearest_limbs(const Solid<S>& solid, Span<const LimbBones<S>> limbs,
+                                                     const TrunkShape<S>& trunk, S most) {
+  std::vector<std::int32_t> nearest;
+  for (const Vec3<S>& p : solid.rest) nearest.push_back(nearest_limb(limbs, trunk, p, most).limb);
+  return nearest;
+}
+
 // Nodes that hang together with a limb's tip and are nearer to it, as it is thick, than to any other and to the trunk;
 // up to `most` along it. Allocates.
 template <class S>
 RIGLESS_COLD std::vector<LimbNode<S>> find_limb_nodes(const Solid<S>& solid, Span<const LimbBones<S>> limbs,
                                                       const TrunkShape<S>& trunk, S most) {
-  std::vector<std::int32_t> owners;
-  for (const Vec3<S>& p : solid.rest) owners.push_back(nearest_limb(limbs, trunk, p, most).limb);
+  std::vector<std::int32_t> owners = nearest_limbs(solid, limbs, trunk, most);
   std::vector<LimbNode<S>> nodes;
   std::vector<std::int32_t> queue;
   for (std::int32_t k = 0; k < count_of(limbs); ++k) {

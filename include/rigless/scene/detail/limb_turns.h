@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rigless/math/detail/rotation.h"
+#include "rigless/math/detail/smooth_step.h"
 #include "rigless/scene/detail/held_things.h"
 #include "rigless/scene/detail/limbs.h"
 #include "rigless/scene/detail/trunk.h"
@@ -111,10 +112,7 @@ class LimbTurns {
   }
 
   // From 1 at the tip to 0 where `end` is passed.
-  static S until(S end, S along) {
-    const S x = std::clamp((end + blur - along) / (S(2) * blur), S(0), S(1));
-    return x * x * (S(3) - S(2) * x);
-  }
+  static S until(S end, S along) { return smooth_step((end + blur - along) / (S(2) * blur)); }
 
   // About as much of a turn; no sine, which machines tell differently.
   static Turn part_of(const Turn& turn, S share) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "rigless/deform/deformer.h"
+#include "rigless/math/detail/smooth_step.h"
+#include "rigless/retarget/detail/rests_on_ground.h"
 #include "rigless/scene/detail/limb_turns.h"
 
 namespace rigless::detail {
@@ -21,7 +23,7 @@ class Soles {
     feet_.clear();
     lifted_ = S(0.08) * height;
     for (std::int32_t c = 0; c < count_of(rest); ++c)
-      if (turns.has(c) && is_leg(nth(limbs, c), nth(rest, c)) && nth(rest, c).y() - floor < S(0.1) * height)
+      if (turns.has(c) && is_leg(nth(limbs, c), nth(rest, c)) && rests_on_ground(nth(rest, c), floor, height))
         feet_.push_back({c, nth(rest, c).y()});
   }
 
@@ -32,8 +34,7 @@ class Soles {
     for (const Foot& foot : feet_) ground = std::min(ground, nth(targets, foot.control).y() - foot.rest);
     for (const Foot& foot : feet_) {
       const S lift = (nth(targets, foot.control).y() - foot.rest - ground) / lifted_;
-      const S x = std::clamp(lift, S(0), S(1));
-      deformer.turn(foot.control, turns.at_tip(foot.control, x * x * (S(3) - S(2) * x)));
+      deformer.turn(foot.control, turns.at_tip(foot.control, smooth_step(lift)));
     }
   }
 

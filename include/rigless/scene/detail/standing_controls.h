@@ -5,6 +5,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/retarget/detail/foreleg.h"
+#include "rigless/retarget/detail/rests_on_ground.h"
 #include "rigless/scene/staged_motion.h"
 
 namespace rigless::detail {

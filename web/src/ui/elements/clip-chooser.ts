@@ -5,6 +5,7 @@ import { count, seconds } from "../../util/words";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
+import { dialogStyle } from "./dialog-style";
 
 /** Which of a file's motions come in. */
 @customElement("rigless-clips")
@@ -16,12 +17,10 @@ export class ClipChooser extends SessionElement {
 
   static override styles = [
     base,
+    dialogStyle,
     css`
-      dialog { border: 0; color: var(--ink); background: var(--paper); border-radius: 20px; box-shadow: var(--lift-2);
-        padding: var(--s2) var(--s3) var(--s3); width: 400px; max-width: calc(100vw - 32px); max-height: calc(100dvh - 64px); }
+      dialog { max-height: calc(100dvh - 64px); }
       dialog[open] { display: flex; flex-direction: column; gap: var(--s1); }
-      dialog::backdrop { background: light-dark(rgb(227 236 240 / .82), rgb(16 23 29 / .78)); }
-      h2 { font: var(--t-title); display: flex; justify-content: space-between; align-items: center; margin: 0 -8px 0 0; }
       ul { overflow-y: auto; margin: 0 -8px; padding: 2px; }
       label { display: grid; grid-template-columns: 20px 1fr auto; gap: 12px; align-items: center; min-height: max(36px, var(--hit));
         padding: 0 8px; border-radius: var(--r-m); cursor: pointer; font: var(--t-strong); }

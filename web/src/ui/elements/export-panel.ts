@@ -5,6 +5,7 @@ import { bytes, count } from "../../util/words";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
+import { dialogStyle } from "./dialog-style";
 
 /** What a dance is taken away as, and how like it that is, before it is saved. */
 @customElement("rigless-export")
@@ -14,12 +15,11 @@ export class ExportPanel extends SessionElement {
 
   static override styles = [
     base,
+    dialogStyle,
     css`
-      dialog { border: 0; color: var(--ink); background: var(--paper); border-radius: 20px; box-shadow: var(--lift-2);
-        padding: var(--s2) var(--s3) var(--s3); width: 456px; max-width: calc(100vw - 16px); max-height: calc(100dvh - 16px); }
+      dialog { width: 456px; max-width: calc(100vw - 16px); max-height: calc(100dvh - 16px); }
       dialog[open] { display: grid; grid-template-columns: minmax(0, 1fr); gap: 12px; align-content: start; }
-      dialog::backdrop { background: light-dark(rgb(227 236 240 / .82), rgb(16 23 29 / .78)); }
-      h2 { font: var(--t-title); display: flex; justify-content: space-between; align-items: center; margin: 0 -8px 0 0; gap: 8px; }
+      h2 { gap: 8px; }
       h2 span { overflow-wrap: anywhere; }
       .row { display: grid; grid-template-columns: 72px minmax(0, 1fr); gap: 8px; align-items: center; font: var(--t-small);
         color: var(--ink-2); }

@@ -4,6 +4,7 @@ import { helpRows, labelOf } from "../../app/actions";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
+import { dialogStyle } from "./dialog-style";
 
 /** The sheet of keys. */
 @customElement("rigless-help")
@@ -13,11 +14,9 @@ export class Help extends SessionElement {
 
   static override styles = [
     base,
+    dialogStyle,
     css`
-      dialog { border: 0; color: var(--ink); background: var(--paper); border-radius: 20px; box-shadow: var(--lift-2);
-        padding: var(--s2) var(--s3) var(--s3); width: 400px; max-width: calc(100vw - 32px); }
-      dialog::backdrop { background: light-dark(rgb(227 236 240 / .82), rgb(16 23 29 / .78)); }
-      h2 { font: var(--t-title); display: flex; justify-content: space-between; align-items: center; margin: 0 -8px 8px 0; }
+      h2 { margin-bottom: 8px; }
       dl { display: grid; grid-template-columns: auto 1fr; gap: 6px 16px; align-items: center; margin-top: 12px; }
       dt { display: flex; gap: 4px; }
       dialog kbd { display: inline-block; }
