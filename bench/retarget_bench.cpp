@@ -42,8 +42,8 @@ void measure(rigless_bench::Bench& bench, const char* scalar, std::size_t frames
   const std::string name = "retarget 10 x " + std::to_string(frames) + " from 8 examples " + scalar;
   bench.run(name, solve);
   for (std::int32_t c = 0; c < 5; ++c) {
-    input.constraints.positions.push_back({c, 50 + 40 * c, Vec3<S>(0, S(0.5), 0), {true, true, true}});
-    input.constraints.velocities.push_back({c, 51 + 40 * c, Vec3<S>::Zero(), {true, true, true}});
+    input.constraints.push_back(rigless::position_constraint<S>(c, 50 + 40 * c, Vec3<S>(0, S(0.5), 0)));
+    input.constraints.push_back(rigless::velocity_constraint<S>(c, 51 + 40 * c, Vec3<S>::Zero()));
   }
   bench.run(name + " and 10 constraints", solve);
 }
@@ -86,8 +86,9 @@ void measure_performance(rigless_bench::Bench& bench, std::int32_t frames) {
   input.examples = {example_joints, example_controls};
   input.mirror = partners;
   for (std::int32_t c = 0; c < 5; ++c) {
-    input.constraints.positions.push_back({c, frames / 7 * (c + 1), Vec3<double>(0, 0.5, 0), {true, true, true}});
-    input.constraints.velocities.push_back({c, frames / 7 * (c + 1) + 1, Vec3<double>::Zero(), {true, true, true}});
+    input.constraints.push_back(rigless::position_constraint<double>(c, frames / 7 * (c + 1), Vec3<double>(0, 0.5, 0)));
+    input.constraints.push_back(
+        rigless::velocity_constraint<double>(c, frames / 7 * (c + 1) + 1, Vec3<double>::Zero()));
   }
   rigless::Performance<double> out;
   const std::string name = "performance 10 x " + std::to_string(frames) + " from 8 examples and their images";

@@ -36,7 +36,6 @@ using FileAxes = rigless::FileAxes;
 using BodyPart = rigless::BodyPart;
 using BodySide = rigless::BodySide;
 using Solve = rigless::Solve;
-using ConstraintKind = rigless::ConstraintKind;
 using FollowThrough = rigless::FollowThrough;
 
 // Constants that both sides know.
@@ -96,24 +95,27 @@ inline rigless::Control<float> control(const ControlInput& c) {
           vector(c.bend)};
 }
 
-// Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres.
+// Where a control is at a frame, or the way to there from a control at a frame, on the axes named; body-local stage
+// metres.
 struct ConstraintInput {
-  NameOf<ConstraintKind> kind;
   Number control;
   Number frame;
+  Number from_control;  // -1: the value is a place
+  Number from_frame;
   Vector value;
+  Flag x;  // whether the value speaks of it
+  Flag y;
+  Flag z;
 };
 
-inline void add(const ConstraintInput& c, rigless::Constraints<double>& to) {
-  const auto control = static_cast<std::int32_t>(c.control.value);
-  const auto frame = static_cast<std::int32_t>(c.frame.value);
-  const rigless::Vec3<double> value(c.value.x.value, c.value.y.value, c.value.z.value);
-  switch (static_cast<ConstraintKind>(c.kind.value)) {
-    case ConstraintKind::position:
-      return to.positions.push_back({control, frame, value, {true, true, true}});
-    case ConstraintKind::velocity:
-      return to.velocities.push_back({control, frame, value, {true, true, true}});
-  }
+inline rigless::Constraint<double> constraint(const ConstraintInput& c) {
+  const auto integer = [](const Number& n) { return static_cast<std::int32_t>(n.value); };
+  rigless::Constraint<double> out;
+  out.at = {integer(c.control), integer(c.frame)};
+  if (c.from_control.value >= 0) out.from = {integer(c.from_control), integer(c.from_frame)};
+  out.value = rigless::Vec3<double>(c.value.x.value, c.value.y.value, c.value.z.value);
+  out.axes = {c.x.value != 0, c.y.value != 0, c.z.value != 0};
+  return out;
 }
 
 struct BodyReport {

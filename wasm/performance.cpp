@@ -59,7 +59,7 @@ RIGLESS_EXPORT void performance_delete(ObjectHandle performance) { plays.remove(
 RIGLESS_EXPORT void performance_constrain(ObjectHandle performance, const ConstraintInput* constraints,
                                           std::int32_t count) {
   for (const ConstraintInput& one : view<ConstraintInput>(constraints, count)) {
-    rigless_wasm::add(one, plays[performance].constraints);
+    plays[performance].constraints.push_back(rigless_wasm::constraint(one));
   }
 }
 
@@ -158,7 +158,6 @@ RIGLESS_EXPORT const PerformanceInfo* performance_info(ObjectHandle performance)
   });
 }
 
-// The constraints count kind by kind.
 RIGLESS_EXPORT const Miss* performance_miss(ObjectHandle performance, std::int32_t constraint) {
   const rigless::Performance<float>& p = plays[performance].performance;
   const auto k = static_cast<std::size_t>(constraint);

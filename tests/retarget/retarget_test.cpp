@@ -249,11 +249,11 @@ TEST_CASE("retarget: bad data is named, and the last run survives") {
   bad.pairs.clear();
   refused(bad, rigless::Error::no_controls, -1);
   bad = good;
-  bad.constraints.positions.push_back({1, 3, Vec3<double>::Zero(), {true, true, true}});
-  bad.constraints.velocities.push_back({1, 0, Vec3<double>::Zero(), {true, true, true}});
+  bad.constraints.push_back(rigless::position_constraint<double>(1, 3, Vec3<double>::Zero()));
+  bad.constraints.push_back(rigless::velocity_constraint<double>(1, 0, Vec3<double>::Zero()));
   refused(bad, rigless::Error::bad_constraint, 1);
   bad.constraints = {};
-  bad.constraints.positions.push_back({9, 3, Vec3<double>::Zero(), {true, true, true}});
+  bad.constraints.push_back(rigless::position_constraint<double>(9, 3, Vec3<double>::Zero()));
   refused(bad, rigless::Error::bad_constraint, 0);
 
   while (run.advance(3)) {
@@ -265,7 +265,7 @@ TEST_CASE("retarget: bad data is named, and the last run survives") {
 
 TEST_CASE("retarget: slices give the same as one go, and progress grows") {
   auto scene = scene_of<double>(30, 4);
-  scene.constraints.positions.push_back({1, 12, Vec3<double>(0.2, 0.5, 0.1), {true, true, true}});
+  scene.constraints.push_back(rigless::position_constraint<double>(1, 12, Vec3<double>(0.2, 0.5, 0.1)));
   rigless::Retargeter<double> run;
   REQUIRE(run.begin(scene.input(), scene.options).ok());
   double progress = 0;
@@ -289,9 +289,9 @@ TEST_CASE_TEMPLATE("retarget: hard constraints are met with any number of exampl
     auto scene = scene_of<S>(60, examples);
     const auto before = scene.solve();
     const Vec3<S> target(S(0.1), S(0.9), S(-0.2));
-    scene.constraints.positions.push_back({1, 20, target, {true, true, true}});
-    scene.constraints.velocities.push_back({1, 21, Vec3<S>::Zero(), {true, true, true}});
-    scene.constraints.heights.push_back({1, 2, 40, S(0.05)});
+    scene.constraints.push_back(rigless::position_constraint<S>(1, 20, target));
+    scene.constraints.push_back(rigless::velocity_constraint<S>(1, 21, Vec3<S>::Zero()));
+    scene.constraints.push_back(rigless::height_constraint<S>(1, 2, 40, S(0.05)));
     const auto tracks = scene.solve();
     CHECK((tracks[20 * 5 + 1] - target).norm() < S(1e-5));
     CHECK((tracks[21 * 5 + 1] - target).norm() < S(1e-5));
@@ -305,19 +305,19 @@ TEST_CASE_TEMPLATE("retarget: hard constraints are met with any number of exampl
 TEST_CASE("retarget: repeated constraints change nothing, contradicting ones meet in the middle") {
   auto scene = scene_of<double>(60, 5);
   const auto at = [](double y) { return Vec3<double>(0.1, y, -0.2); };
-  scene.constraints.positions.push_back({1, 20, at(0.9), {true, true, true}});
+  scene.constraints.push_back(rigless::position_constraint<double>(1, 20, at(0.9)));
   const auto once = scene.solve();
-  scene.constraints.positions.push_back({1, 20, at(0.9), {true, true, true}});
-  scene.constraints.velocities.push_back({1, 21, Vec3<double>::Zero(), {true, true, true}});
-  scene.constraints.positions.push_back({1, 21, at(0.9), {true, true, true}});
+  scene.constraints.push_back(rigless::position_constraint<double>(1, 20, at(0.9)));
+  scene.constraints.push_back(rigless::velocity_constraint<double>(1, 21, Vec3<double>::Zero()));
+  scene.constraints.push_back(rigless::position_constraint<double>(1, 21, at(0.9)));
   const auto loop = scene.solve();
   CHECK((loop[20 * 5 + 1] - at(0.9)).norm() < 1e-6);
   CHECK((loop[21 * 5 + 1] - at(0.9)).norm() < 1e-6);
   CHECK(once.size() == loop.size());
 
   scene.constraints = {};
-  scene.constraints.positions.push_back({1, 20, at(0.9), {true, true, true}});
-  scene.constraints.positions.push_back({1, 20, at(1.1), {true, true, true}});
+  scene.constraints.push_back(rigless::position_constraint<double>(1, 20, at(0.9)));
+  scene.constraints.push_back(rigless::position_constraint<double>(1, 20, at(1.1)));
   rigless::Retargeter<double> run;
   REQUIRE(run.begin(scene.input(), scene.options).ok());
   while (run.advance(1000)) {
@@ -331,9 +331,9 @@ TEST_CASE("retarget: repeated constraints change nothing, contradicting ones mee
   CHECK(run.opponents()[1] == 0);
 
   // A loop that does not close: 20 and 21 are apart, but the control shall not move between them. Others do not mind.
-  scene.constraints.positions.insert(scene.constraints.positions.begin(), {3, 30, at(1), {true, true, true}});
-  scene.constraints.positions[2].frame = 21;
-  scene.constraints.velocities.push_back({1, 21, Vec3<double>::Zero(), {true, true, true}});
+  scene.constraints.insert(scene.constraints.begin(), rigless::position_constraint<double>(3, 30, at(1)));
+  scene.constraints[2].at.frame = 21;
+  scene.constraints.push_back(rigless::velocity_constraint<double>(1, 21, Vec3<double>::Zero()));
   REQUIRE(run.begin(scene.input(), scene.options).ok());
   while (run.advance(1000)) {
   }
@@ -349,7 +349,8 @@ TEST_CASE("retarget: repeated constraints change nothing, contradicting ones mee
   // Without an offset track one example cannot move at all: the constraint is missed, and says so.
   auto stuck = scene_of<double>(30, 1);
   stuck.options.offset_weight = 0;
-  stuck.constraints.positions.push_back({0, 3, stuck.example_controls[0] + Vec3<double>(0, 1, 0), {true, true, true}});
+  stuck.constraints.push_back(
+      rigless::position_constraint<double>(0, 3, stuck.example_controls[0] + Vec3<double>(0, 1, 0)));
   REQUIRE(run.begin(stuck.input(), stuck.options).ok());
   while (run.advance(1000)) {
   }
@@ -361,7 +362,8 @@ TEST_CASE("retarget: repeated constraints change nothing, contradicting ones mee
 TEST_CASE("retarget: a constraint does not pop") {
   auto scene = scene_of<double>(90, 6);
   const auto before = scene.solve();
-  scene.constraints.positions.push_back({1, 45, before[45 * 5 + 1] + Vec3<double>(0, 0.2, 0), {true, true, true}});
+  scene.constraints.push_back(
+      rigless::position_constraint<double>(1, 45, before[45 * 5 + 1] + Vec3<double>(0, 0.2, 0)));
   const auto peak = [](const std::vector<Vec3<double>>& t) {
     double most = 0;
     for (std::size_t f = 1; f + 1 < 90; ++f)
@@ -409,7 +411,7 @@ TEST_CASE("retarget: a constraint pops half as much as in the paper's settings, 
   paper.options = rigless::RetargetOptions<double>::thesis();
   const auto added_peak = [](Scene<double>& s) {
     const auto before = s.solve();
-    s.constraints.positions.push_back({1, 45, before[45 * 5 + 1] + Vec3<double>(0, 0.2, 0), {true, true, true}});
+    s.constraints.push_back(rigless::position_constraint<double>(1, 45, before[45 * 5 + 1] + Vec3<double>(0, 0.2, 0)));
     const auto after = s.solve();
     double most = 0;
     const auto change = [&](std::size_t f) { return (after[f * 5 + 1] - before[f * 5 + 1]).eval(); };

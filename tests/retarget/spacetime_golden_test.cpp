@@ -43,11 +43,11 @@ rigless::AxisMask mask(const rigless::json::Value& v) {
 template <class S>
 void read_constraints(const rigless::json::Value& options, rigless::Constraints<S>& out) {
   for (const auto& p : options["pos"].array())
-    out.positions.push_back({p[0].integer(), p[1].integer(), p[3].vec3<S>(), mask(p[2])});
+    out.push_back(rigless::position_constraint<S>(p[0].integer(), p[1].integer(), p[3].vec3<S>(), mask(p[2])));
   for (const auto& v : options["vel"].array())
-    out.velocities.push_back({v[0].integer(), v[1].integer(), v[3].vec3<S>(), mask(v[2])});
+    out.push_back(rigless::velocity_constraint<S>(v[0].integer(), v[1].integer(), v[3].vec3<S>(), mask(v[2])));
   for (const auto& e : options["eqy"].array())
-    out.heights.push_back({e[0].integer(), e[1].integer(), e[2].integer(), S(0)});
+    out.push_back(rigless::height_constraint<S>(e[0].integer(), e[1].integer(), e[2].integer(), S(0)));
 }
 
 // What the case adds to the diagonal: "reg r adds r * mean(diag H)", over the weights.

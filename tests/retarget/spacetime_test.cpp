@@ -73,7 +73,7 @@ TEST_CASE("second differences: rows of D2'D2") {
 TEST_CASE_TEMPLATE("spacetime: frames and constraint equations allocate nothing", S, double, float) {
   const Problem<S> problem;
   rigless::Constraints<S> constraints;
-  constraints.positions.push_back({0, 8, Vec3<S>(1, 2, 3), {true, true, true}});
+  constraints.push_back(rigless::position_constraint<S>(0, 8, Vec3<S>(1, 2, 3)));
   detail::SpacetimeOptions<S> options;
   options.track.offset_weight = S(0.05);
   detail::SpacetimeSolver<S> solver;
@@ -109,9 +109,9 @@ TEST_CASE("spacetime: what cannot be solved is named") {
   tracks[0].features = features;
   CHECK(solver.begin(tracks, 40, {}, {}).error == rigless::Error::not_finite);
   rigless::Constraints<double> constraints;
-  constraints.heights.push_back({0, 2, 5, 0});
+  constraints.push_back(rigless::height_constraint<double>(0, 2, 5, 0));
   CHECK(solver.begin(problem.tracks, 40, constraints, {}).error == rigless::Error::bad_constraint);
-  constraints.heights[0] = {0, 1, 5, std::numeric_limits<double>::infinity()};
+  constraints[0] = rigless::height_constraint<double>(0, 1, 5, std::numeric_limits<double>::infinity());
   CHECK(solver.begin(problem.tracks, 40, constraints, {}).error == rigless::Error::bad_constraint);
 }
 

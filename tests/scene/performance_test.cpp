@@ -252,9 +252,10 @@ TEST_CASE("the user's contacts, flights and places count, and what is missed is 
   const auto near = [&](std::int32_t f, std::size_t c) {
     return (plain.controls[static_cast<std::size_t>(f) * 4 + c] + Vec3d(0.03, 0, 0.04)).eval();
   };
-  input.constraints.positions.push_back({1, standing, near(standing, 1), {true, false, true}});
-  input.constraints.positions.push_back({0, swinging, near(swinging, 0), {true, true, true}});
-  input.constraints.velocities.push_back({2, 50, Vec3d::Zero(), {true, true, true}});
+  input.constraints.push_back(
+      rigless::position_constraint<double>(1, standing, near(standing, 1), {true, false, true}));
+  input.constraints.push_back(rigless::position_constraint<double>(0, swinging, near(swinging, 0)));
+  input.constraints.push_back(rigless::velocity_constraint<double>(2, 50, Vec3d::Zero()));
   REQUIRE(build_performance(input, edited).ok());
   REQUIRE(edited.missed.size() == 3);
   for (const double missed : edited.missed) CHECK(missed < 1e-6);
@@ -273,8 +274,8 @@ TEST_CASE("a performance of any length, with everything asked of it") {
     input.mirror = partners;
     const Vec3d high(0, 1.8, 0.1);
     for (const std::int32_t f : {0, frames - 1}) {
-      input.constraints.positions.push_back({2, f, high, {true, true, true}});
-      if (f > 0) input.constraints.velocities.push_back({3, f, Vec3d::Zero(), {true, true, true}});
+      input.constraints.push_back(rigless::position_constraint<double>(2, f, high));
+      if (f > 0) input.constraints.push_back(rigless::velocity_constraint<double>(3, f, Vec3d::Zero()));
     }
     const std::vector<ContactEdit> contacts = {{0, {0, 1}}, {1, {frames - 1, frames}}};
     input.contacts = contacts;
@@ -373,7 +374,7 @@ TEST_CASE("what cannot be built leaves the old performance") {
   input.contacts = contacts;
   CHECK(build_performance(input, performance).where == 4);
   input = stick.input();
-  input.constraints.velocities.push_back({0, 0, Vec3d::Zero(), {true, true, true}});
+  input.constraints.push_back(rigless::velocity_constraint<double>(0, 0, Vec3d::Zero()));
   CHECK(build_performance(input, performance).error == Error::bad_constraint);
   stick.pairs.clear();
   CHECK(build_performance(stick.input(), performance).error == Error::no_controls);

@@ -74,7 +74,7 @@ TEST_CASE("root motion: where the anchor changes, the soles shall be level") {
   const std::vector<double> ground = {0.05, 0.02};
   const auto constraints = rigless::anchor_constraints<double>(anchors, ground);
   REQUIRE(constraints.size() == 2);
-  CHECK((constraints[0].track == 1 && constraints[0].other == 0 && constraints[0].frame == 2));
-  CHECK(constraints[0].difference == doctest::Approx(-0.03));
-  CHECK(constraints[1].frame == 7);
+  CHECK((constraints[0].at.track == 1 && constraints[0].from->track == 0 && constraints[0].at.frame == 2));
+  CHECK(constraints[0].value.y() == doctest::Approx(-0.03));
+  CHECK(constraints[1].at.frame == 7);
 }

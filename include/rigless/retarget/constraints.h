@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "rigless/math/types.h"
@@ -12,45 +12,42 @@ namespace rigless {
 
 using AxisMask = std::array<bool, 3>;
 
-// The track passes through `position` at `frame`, on the axes of the mask. Source: thesis Eq 3.27.
-template <class S>
-struct PositionConstraint {
+struct TrackFrame {
   std::int32_t track = 0;
   std::int32_t frame = 0;
-  Vec3<S> position = Vec3<S>::Zero();
+};
+
+// Where a track is at a frame, or the way to there from where one is at a frame, is `value` on the axes of the mask.
+template <class S>
+struct Constraint {
+  TrackFrame at;
+  std::optional<TrackFrame> from;  // none: `value` is a position
+  Vec3<S> value = Vec3<S>::Zero();
   AxisMask axes = {true, true, true};
 };
 
-// The track moves by `velocity` from frame - 1 to frame (units per frame), on the axes of the mask.
-// Source: thesis Eq 3.28.
 template <class S>
-struct VelocityConstraint {
-  std::int32_t track = 0;
-  std::int32_t frame = 1;
-  Vec3<S> velocity = Vec3<S>::Zero();
-  AxisMask axes = {true, true, true};
-};
+using Constraints = std::vector<Constraint<S>>;
+
+// The track passes through `position` at `frame`. Source: thesis Eq 3.27.
+template <class S>
+Constraint<S> position_constraint(std::int32_t track, std::int32_t frame, const Vec3<S>& position,
+                                  const AxisMask& axes = {true, true, true}) {
+  return {{track, frame}, std::nullopt, position, axes};
+}
+
+// The track moves by `velocity` from frame - 1 to frame (units per frame). Source: thesis Eq 3.28.
+template <class S>
+Constraint<S> velocity_constraint(std::int32_t track, std::int32_t frame, const Vec3<S>& velocity,
+                                  const AxisMask& axes = {true, true, true}) {
+  return {{track, frame}, TrackFrame{track, frame - 1}, velocity, axes};
+}
 
 // y of `track` minus y of `other` is `difference` at `frame`, so that the anchor can change from one to the other. Give
 // the difference of the two controls' rest heights above the sole. Source: thesis Fig 3.7.
 template <class S>
-struct HeightConstraint {
-  std::int32_t track = 0;
-  std::int32_t other = 0;
-  std::int32_t frame = 0;
-  S difference = 0;
-};
-
-// In the order in which they are counted.
-enum class ConstraintKind : std::int32_t { position, velocity };
-
-template <class S>
-struct Constraints {
-  std::vector<PositionConstraint<S>> positions;
-  std::vector<VelocityConstraint<S>> velocities;
-  std::vector<HeightConstraint<S>> heights;
-
-  std::size_t size() const { return positions.size() + velocities.size() + heights.size(); }
-};
+Constraint<S> height_constraint(std::int32_t track, std::int32_t other, std::int32_t frame, S difference) {
+  return {{track, frame}, TrackFrame{other, frame}, Vec3<S>(0, difference, 0), {false, true, false}};
+}
 
 }  // namespace rigless

@@ -203,15 +203,9 @@ class Retargeter {
       return exists ? nth(space.centre, control) : Vec3<double>::Zero().eval();
     };
     Constraints<double> out;
-    for (const auto& c : in.positions) {
-      const Vec3<double> position = (c.position.template cast<double>() - centre(c.track)) / space.spread;
-      out.positions.push_back({c.track, c.frame, position, c.axes});
-    }
-    for (const auto& c : in.velocities)
-      out.velocities.push_back({c.track, c.frame, c.velocity.template cast<double>() / space.spread, c.axes});
-    for (const auto& c : in.heights) {
-      const double centres = centre(c.track).y() - centre(c.other).y();
-      out.heights.push_back({c.track, c.other, c.frame, (static_cast<double>(c.difference) - centres) / space.spread});
+    for (const Constraint<S>& c : in) {
+      const Vec3<double> origin = c.from ? (centre(c.at.track) - centre(c.from->track)).eval() : centre(c.at.track);
+      out.push_back({c.at, c.from, (c.value.template cast<double>() - origin) / space.spread, c.axes});
     }
     return out;
   }

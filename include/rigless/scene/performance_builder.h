@@ -160,19 +160,14 @@ class PerformanceBuilder {
 
   // On the finished tracks, so that what the ground asks for counts too.
   void measure_constraints(Performance<S>& p) const {
-    const auto at = [&](std::int32_t control, std::int32_t frame) {
-      return p.controls[to_size(frame) * controls_ + to_size(control)];
-    };
-    const auto miss = [&](Vec3<S> difference, const AxisMask& axes) {
+    const auto at = [&](const TrackFrame& t) { return p.controls[to_size(t.frame) * controls_ + to_size(t.track)]; };
+    for (const Constraint<S>& c : constraints_) {
+      Vec3<S> miss = at(c.at) - c.value;
+      if (c.from) miss -= at(*c.from);
       for (int axis = 0; axis < 3; ++axis)
-        if (!nth(axes, axis)) difference[axis] = 0;
-      p.missed.push_back(difference.norm());
-    };
-    for (const auto& c : constraints_.positions) miss(at(c.track, c.frame) - c.position, c.axes);
-    for (const auto& c : constraints_.velocities)
-      miss(at(c.track, c.frame) - at(c.track, c.frame - 1) - c.velocity, c.axes);
-    for (const auto& c : constraints_.heights)
-      p.missed.push_back(std::abs(at(c.track, c.frame).y() - at(c.other, c.frame).y() - c.difference));
+        if (!nth(c.axes, axis)) miss[axis] = 0;
+      p.missed.push_back(miss.norm());
+    }
   }
 
   Retargeter<S> retargeter_;

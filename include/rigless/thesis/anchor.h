@@ -70,12 +70,13 @@ Status root_from_anchor(Span<const Vec3<S>> tracks, std::int32_t control_count, 
 // Where the anchor changes, the new one must be as low as the old one: their heights above their soles are equal there.
 // anchors: T; ground: C, rest height of each control above the lowest vertex. Allocates. Source: thesis Fig 3.7.
 template <class S>
-std::vector<HeightConstraint<S>> anchor_constraints(Span<const std::int32_t> anchors, Span<const S> ground) {
-  std::vector<HeightConstraint<S>> constraints;
+Constraints<S> anchor_constraints(Span<const std::int32_t> anchors, Span<const S> ground) {
+  Constraints<S> constraints;
   for (std::size_t f = 1; f < anchors.size(); ++f) {
     const std::int32_t now = anchors[f], before = anchors[f - 1];
     if (now < 0 || before < 0 || now == before) continue;
-    constraints.push_back({now, before, static_cast<std::int32_t>(f), nth(ground, now) - nth(ground, before)});
+    constraints.push_back(
+        height_constraint<S>(now, before, static_cast<std::int32_t>(f), nth(ground, now) - nth(ground, before)));
   }
   return constraints;
 }

@@ -16,6 +16,13 @@ const TITLE = "A pin is not kept.";
 export const PIN_KINDS: Readonly<Record<Pin["kind"], { make: string; is: string; flag: string; means: string; sign: string }>> = {
   place: { make: "Hold it", is: "is held", flag: "held here", means: "It is just there, whatever the poses say.", sign: "M9 7.5h.01" },
   still: { make: "Stand still", is: "stands still", flag: "stands still", means: "It is where it was a frame before.", sign: "M7.5 7.5h4" },
+  level: {
+    make: "Keep level",
+    is: "is level",
+    flag: "level",
+    means: "It is as high as its partner on the other side.",
+    sign: "M7.5 6.5h4m-4 2.5h4",
+  },
 };
 
 /** Pins: a point held at a place in one frame, or still for a moment. Unlike poses they teach nothing about other frames. */
@@ -75,12 +82,11 @@ export class Pins {
   }
 
   canBe(pin: Pin, kind: Pin["kind"]): boolean {
-    return pinFault({ ...pin, kind }) === null;
+    return pinFault(this.as(pin, kind)) === null;
   }
 
   setKind(pin: Pin, kind: Pin["kind"]): void {
-    if (!this.canBe(pin, kind)) return;
-    this.context.history.apply(setPin({ ...pin, kind }));
+    if (this.canBe(pin, kind)) this.context.history.apply(setPin(this.as(pin, kind)));
   }
 
   remove(id: string): void {
@@ -129,6 +135,14 @@ export class Pins {
   /** "The pin of Left arm at frame 40" */
   private words({ point, frame }: Pin): string {
     return `The pin of ${this.context.document.points.find(({ id }) => id === point)?.name ?? "a point"} at frame ${frame}`;
+  }
+
+  private as(pin: Pin, kind: Pin["kind"]): Pin {
+    if (kind !== "level" || pin.other) return { ...pin, kind };
+    const { points } = this.context.document;
+    const partner = points.find(({ id }) => id === pin.point)?.mirror;
+    const other = points.find(({ id }) => id === partner)?.id;
+    return other ? { ...pin, kind, other } : { ...pin, kind };
   }
 
   private addSelected(point: string): void {

@@ -17,12 +17,13 @@ export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): Cli
 }
 
 /** The points that a pin names. */
-export const pointsOfPin = ({ point }: Pin): string[] => [point];
+export const pointsOfPin = ({ point, other = point }: Pin): string[] => [point, other];
 
 /** What a pin of its kind lacks or may not say, as a field and a sentence about it; null: nothing. */
-export function pinFault({ kind, frame, position }: Pin): string | null {
+export function pinFault({ kind, point, other = point, frame, position }: Pin): string | null {
   if (kind === "place" && !position) return 'position is missing: a pin of kind "place" says where.';
   if (kind === "still" && frame === 0) return "frame is 0, but no frame comes before it in which its point could stand.";
+  if (kind === "level" && other === point) return 'other is missing: a pin of kind "level" names another point.';
   return null;
 }
 

@@ -73,16 +73,17 @@ export interface Settings {
   readonly symmetry: boolean;
 }
 
-/** A constraint about one point at one frame of a clip. */
+/** A constraint about a point at one frame of a clip. */
 export interface Pin {
   readonly id: string;
   readonly point: string;
   /** At 30 fps. */
   readonly frame: number;
-  /** "place": it is at `position`; "still": it is where it was a frame before. */
-  readonly kind: "place" | "still";
+  /** "place": it is at `position`; "still": it is where it was a frame before; "level": it is as high as `other`. */
+  readonly kind: "place" | "still" | "level";
   /** Body-local, in the model file's own units and axes, as in an example. */
   readonly position?: Vec3;
+  readonly other?: string;
 }
 
 /** What was said about one motion on this model, beyond its poses. */

@@ -13,12 +13,10 @@ import {
   type BodyPart,
   BODY_SIDE_NAMES,
   type BodySide,
-  CONSTRAINT_KIND_NAMES,
-  type ConstraintKind,
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1808700355;
+export const ABI = 1173173325;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -60,19 +58,29 @@ export const writeControlInput = (one: ControlInput): number[] => [
   ...one.bend,
 ];
 
-/** Where a control is at a frame, or by how much it moves from the frame before; body-local stage metres. */
+/** Where a control is at a frame, or the way to there from a control at a frame, on the axes named; body-local stage metres. */
 export interface ConstraintInput {
-  kind: ConstraintKind;
   control: number;
   frame: number;
+  /** -1: the value is a place. */
+  fromControl: number;
+  fromFrame: number;
   value: [number, number, number];
+  /** Whether the value speaks of it. */
+  x: boolean;
+  y: boolean;
+  z: boolean;
 }
 
 export const writeConstraintInput = (one: ConstraintInput): number[] => [
-  CONSTRAINT_KIND_NAMES.indexOf(one.kind),
   one.control,
   one.frame,
+  one.fromControl,
+  one.fromFrame,
   ...one.value,
+  Number(one.x),
+  Number(one.y),
+  Number(one.z),
 ];
 
 export interface BodyReport {

@@ -117,7 +117,7 @@ export class Core {
         this.#check(this.#wasm.performance_advance(handle), { kind: "retarget" });
       }
       this.#beginBake(handle, input.volume);
-      return describePerformance(this.#wasm, this.#heap, handle, input.constraints ?? [], milliseconds + performance.now() - begin);
+      return describePerformance(this.#wasm, this.#heap, handle, milliseconds + performance.now() - begin);
     } finally {
       this.#wasm.performance_delete(handle);
     }

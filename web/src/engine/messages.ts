@@ -14,8 +14,7 @@ export type Subject =
   | { kind: "skeleton"; name: string; text: string }
   | { kind: "mesh" }
   | { kind: "controls" }
-  /** The index of each constraint by the core's count. */
-  | { kind: "retarget"; constraints?: number[] }
+  | { kind: "retarget" }
   | { kind: "frames" };
 
 function unpackStatus(packed: PackedStatus): { error: CoreError; where: number } {
@@ -32,7 +31,7 @@ export function engineError(packed: PackedStatus, subject: Subject): EngineError
     case "controls":
       return new EngineError("bad_controls", controlsMessage(error, where));
     case "retarget":
-      return retargetError(error, error === "bad_constraint" ? (subject.constraints?.[where] ?? where) : where);
+      return retargetError(error, where);
     case "frames":
       return new EngineError("bad_examples", `Frame ${count(where + 1)} is not in this motion.`);
     default:

@@ -1,12 +1,12 @@
 // What the core is asked before it retargets, and what it answers.
 
-import { CONSTRAINT_KIND_NAMES, FOLLOW_THROUGH_NAMES } from "../util/constants";
+import { FOLLOW_THROUGH_NAMES } from "../util/constants";
 import { askRow, missRow, motionInfoRow, performanceInfoRow, writeConstraintInput } from "./abi";
 import type { BodyReport, Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
 import { engineError } from "./messages";
 import { EngineError } from "./types";
-import type { ConstraintInput, Performance, RetargetInput } from "./types";
+import type { Performance, RetargetInput } from "./types";
 
 /** Who dances, and to what. */
 export interface Scene {
@@ -49,16 +49,10 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       input.energy ?? 0,
     ),
   );
-  if (status !== 0) throw engineError(status, { kind: "retarget", constraints: inCoreOrder(constraints) });
+  if (status !== 0) throw engineError(status, { kind: "retarget" });
 }
 
-export function describePerformance(
-  wasm: RiglessExports,
-  heap: Heap,
-  handle: Handle,
-  constraints: ConstraintInput[],
-  milliseconds: number,
-): Performance {
+export function describePerformance(wasm: RiglessExports, heap: Heap, handle: Handle, milliseconds: number): Performance {
   const info = heap.read(performanceInfoRow, wasm.performance_info(handle));
   const { frames, controls } = info;
   const ends = heap.integers(wasm.performance_flights(handle), 2 * info.flights);
@@ -70,7 +64,7 @@ export function describePerformance(
     yaw: heap.floats(wasm.performance_yaw(handle), frames),
     travel: heap.floats(wasm.performance_travel(handle), 2 * frames),
     slip: { before: info.slipBefore, after: info.slipAfter },
-    missed: missed(wasm, heap, handle, info.constraints, constraints),
+    missed: missed(wasm, heap, handle, info.constraints),
     coverage: heap.floats(wasm.performance_coverage(handle), frames),
     ask: Array.from({ length: info.asks }, (_, n) => heap.read(askRow, wasm.performance_ask(handle, n))),
     enough: { have: info.have, want: info.want },
@@ -78,11 +72,6 @@ export function describePerformance(
     sourceContacts: heap.bytes(wasm.performance_source_contacts(handle), frames * controls),
     milliseconds,
   };
-}
-
-/** The core counts kind by kind: the index of each in the input. */
-function inCoreOrder(constraints: ConstraintInput[]): number[] {
-  return CONSTRAINT_KIND_NAMES.flatMap((kind) => constraints.flatMap((one, n) => (one.kind === kind ? [n] : [])));
 }
 
 /** Parts that follow; contacts, flights and mirror images instead of those of the motion and the model. */
@@ -107,14 +96,13 @@ function edit(wasm: RiglessExports, heap: Heap, handle: Handle, controls: number
   }
 }
 
-function missed(wasm: RiglessExports, heap: Heap, handle: Handle, count: number, constraints: ConstraintInput[]): Performance["missed"] {
-  const order = inCoreOrder(constraints);
+function missed(wasm: RiglessExports, heap: Heap, handle: Handle, count: number): Performance["missed"] {
   const all = { worst: new Float32Array(count), against: new Int32Array(count) };
-  order.forEach((n, k) => {
-    const { metres, opponent } = heap.read(missRow, wasm.performance_miss(handle, k));
+  for (let n = 0; n < count; n++) {
+    const { metres, opponent } = heap.read(missRow, wasm.performance_miss(handle, n));
     all.worst[n] = metres;
-    all.against[n] = order[opponent] ?? -1;
-  });
+    all.against[n] = opponent;
+  }
   return all;
 }
 

@@ -53,10 +53,12 @@ export function pinsWithin({ pins = [] }: ClipEdits, frames: number): readonly P
   return pins.filter(({ frame }) => frame < frames);
 }
 
-function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, frame, position }: Pin): ConstraintInput {
-  const control = document.points.findIndex(({ id }) => id === point);
-  if (kind === "still" || !position) return { kind: "velocity", control, frame, value: [0, 0, 0] };
-  return { kind: "position", control, frame, value: [...pointToStage(stageFor(model, document.mesh), position)] };
+function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, other, frame, position }: Pin): ConstraintInput {
+  const [control, fromControl] = [point, other].map((named) => document.points.findIndex(({ id }) => id === named));
+  const same: ConstraintInput = { control, frame, fromControl, fromFrame: frame, value: [0, 0, 0], x: true, y: true, z: true };
+  if (kind === "level") return { ...same, x: false, z: false };
+  if (kind === "still" || !position) return { ...same, fromControl: control, fromFrame: frame - 1 };
+  return { ...same, fromControl: -1, value: [...pointToStage(stageFor(model, document.mesh), position)] };
 }
 
 function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts = {} }: ClipEdits, frames: number): ContactInput[] {

@@ -84,8 +84,5 @@ export type BodySide = (typeof BODY_SIDE_NAMES)[number];
 export const SOLVE_NAMES = ["surface", "solid"] as const;
 export type Solve = (typeof SOLVE_NAMES)[number];
 
-export const CONSTRAINT_KIND_NAMES = ["position", "velocity"] as const;
-export type ConstraintKind = (typeof CONSTRAINT_KIND_NAMES)[number];
-
 export const FOLLOW_THROUGH_NAMES = ["stiff", "bouncy", "floppy"] as const;
 export type FollowThrough = (typeof FOLLOW_THROUGH_NAMES)[number];

@@ -61,6 +61,21 @@ test("a pin is spoken of, made still, and taken away, which can be undone", asyn
   expect(pins.here).toHaveLength(1);
 });
 
+test("a pin keeps its point as high as its partner; without one it cannot", async () => {
+  const { context, pins } = await pinning();
+  context.selection.select("left-arm");
+  context.player.seek(12);
+  pins.add();
+  pins.setKind(pins.here[0], "level");
+  expect(pins.here).toMatchObject([{ point: "left-arm", kind: "level", other: "right-arm" }]);
+  await danced(context);
+  expect(context.performance?.missed.worst[0]).toBeLessThan(1e-3);
+  pins.remove("n1");
+  context.selection.select("top");
+  pins.add();
+  expect(pins.canBe(pins.here[0], "level")).toBe(false);
+});
+
 test("two that contradict each other are told, by how much and which; and it is taken back", async () => {
   const { context, dragging, pins } = await pinning();
   context.selection.select("left-arm");

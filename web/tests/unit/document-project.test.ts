@@ -25,6 +25,7 @@ const project: ProjectDocument = {
       pins: [
         { id: "n1", point: "p1", frame: 30, kind: "place", position: [1, 0, 2] },
         { id: "n2", point: "p1", frame: 31, kind: "still" },
+        { id: "n3", point: "p1", frame: 40, kind: "level", other: "p2" },
       ],
       contacts: {
         p1: [
@@ -104,6 +105,12 @@ describe("project files", () => {
     ["examples[1].source.frame should be a whole number from 0 to 1000000000, but it is 1.5.", ["examples", 1, "source", "frame"], 1.5],
     ['clips["02_01.amc"].pins[1].id is "n2", which another pin has already.', ["clips", "02_01.amc", "pins", 0, "id"], "n2"],
     ['clips["02_01.amc"].pins[1] holds "tail", but no point has this id.', ["clips", "02_01.amc", "pins", 1, "point"], "tail"],
+    ['clips["02_01.amc"].pins[2] holds "tail", but no point has this id.', ["clips", "02_01.amc", "pins", 2, "other"], "tail"],
+    [
+      'clips["02_01.amc"].pins[2].other is missing: a pin of kind "level" names another point.',
+      ["clips", "02_01.amc", "pins", 2, "other"],
+      undefined,
+    ],
     [
       'clips["02_01.amc"].pins[0].position is missing: a pin of kind "place" says where.',
       ["clips", "02_01.amc", "pins", 0, "position"],
@@ -114,7 +121,11 @@ describe("project files", () => {
       ["clips", "02_01.amc", "pins", 1, "frame"],
       0,
     ],
-    ['clips["02_01.amc"].pins[0].kind should be place or still, but it is "glue".', ["clips", "02_01.amc", "pins", 0, "kind"], "glue"],
+    [
+      'clips["02_01.amc"].pins[0].kind should be place, still or level, but it is "glue".',
+      ["clips", "02_01.amc", "pins", 0, "kind"],
+      "glue",
+    ],
     ['clips["02_01.amc"].contacts names "tail", but no point has this id.', ["clips", "02_01.amc", "contacts", "tail"], [[0, 1]]],
     [
       'clips["02_01.amc"].contacts.p1 has a run from 9 to 9, but it should end after it begins.',

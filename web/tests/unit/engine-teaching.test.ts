@@ -16,19 +16,22 @@ const at = (controls: Float32Array, count: number, frame: number, control: numbe
   ...controls.subarray(3 * (frame * count + control), 3 * (frame * count + control) + 3),
 ];
 
+type Three = [number, number, number];
+const every = { x: true, y: true, z: true };
+const place = (control: number, frame: number, value: Three) => ({ control, frame, fromControl: -1, fromFrame: 0, value, ...every });
+const move = (control: number, frame: number, value: Three) => ({
+  ...place(control, frame, value),
+  fromControl: control,
+  fromFrame: frame - 1,
+});
+
 describe("constraints", () => {
   const input: RetargetInput = { ...settings, pairs: Int32Array.of(0, 1) };
 
   test("are met, and the rest of the track hardly moves", async () => {
     await setUpPost(engine);
     const plain = await engine.retarget(input);
-    const performance = await engine.retarget({
-      ...input,
-      constraints: [
-        { kind: "velocity", control: 1, frame: 31, value: [0, 0, 0] },
-        { kind: "position", control: 1, frame: 30, value: [0.3, 1.7, 0.1] },
-      ],
-    });
+    const performance = await engine.retarget({ ...input, constraints: [move(1, 31, [0, 0, 0]), place(1, 30, [0.3, 1.7, 0.1])] });
     at(performance.controls, 2, 30, 1).forEach((x, k) => expect(x).toBeCloseTo([0.3, 1.7, 0.1][k] ?? NaN, 5));
     expect(performance.missed.worst).toHaveLength(2);
     expect(Math.max(...performance.missed.worst)).toBeLessThan(1e-6);
@@ -36,15 +39,22 @@ describe("constraints", () => {
     expect(plain.missed.worst).toHaveLength(0);
   });
 
+  test("say where one control is, seen from another, on some axes only", async () => {
+    await setUpPost(engine);
+    const plain = await engine.retarget(input);
+    const level = { ...place(1, 30, [0, 0.25, 0]), fromControl: 0, fromFrame: 30, x: false, z: false };
+    const { controls, missed } = await engine.retarget({ ...input, constraints: [level] });
+    expect(at(plain.controls, 2, 30, 1)[1] - at(plain.controls, 2, 30, 0)[1]).not.toBeCloseTo(0.25, 2);
+    expect(at(controls, 2, 30, 1)[1] - at(controls, 2, 30, 0)[1]).toBeCloseTo(0.25, 5);
+    expect(missed.worst[0]).toBeLessThan(1e-6);
+    expect(at(controls, 2, 30, 1)[0]).toBeCloseTo(at(plain.controls, 2, 30, 1)[0], 5);
+  });
+
   test("that contradict each other meet half way and say by how much", async () => {
     await setUpPost(engine);
     const { controls, missed } = await engine.retarget({
       ...input,
-      constraints: [
-        { kind: "position", control: 1, frame: 30, value: [0, 1.6, 0] },
-        { kind: "position", control: 0, frame: 10, value: [0, 0.1, 0] },
-        { kind: "position", control: 1, frame: 30, value: [0.2, 1.6, 0] },
-      ],
+      constraints: [place(1, 30, [0, 1.6, 0]), place(0, 10, [0, 0.1, 0]), place(1, 30, [0.2, 1.6, 0])],
     });
     expect(at(controls, 2, 30, 1)[0]).toBeCloseTo(0.1, 5);
     expect(missed.worst[0]).toBeCloseTo(0.1, 5);
@@ -55,20 +65,17 @@ describe("constraints", () => {
 
   test("for what does not exist are refused by number", async () => {
     await setUpPost(engine);
-    const good: RetargetInput["constraints"] = [
-      { kind: "velocity", control: 1, frame: 4, value: [0, 0, 0] },
-      { kind: "position", control: 1, frame: 3, value: [0, 1.6, 0] },
-    ];
+    const good: RetargetInput["constraints"] = [move(1, 4, [0, 0, 0]), place(1, 3, [0, 1.6, 0])];
     const refused = (constraint: NonNullable<RetargetInput["constraints"]>[number]) =>
       engine.retarget({ ...input, constraints: [...good, constraint] }).then(
         () => "",
         (error: EngineError) => error.message,
       );
-    expect(await refused({ kind: "velocity", control: 0, frame: 0, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
-    expect(await refused({ kind: "position", control: 2, frame: 3, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
-    expect(await refused({ kind: "position", control: -1, frame: 3, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
-    expect(await refused({ kind: "position", control: 0, frame: 60, value: [0, 0, 0] })).toMatch(/^Pin 3 /);
-    expect(await refused({ kind: "position", control: 0, frame: 3, value: [0, NaN, 0] })).toMatch(/^Pin 3 /);
+    expect(await refused(move(0, 0, [0, 0, 0]))).toMatch(/^Pin 3 /);
+    expect(await refused(place(2, 3, [0, 0, 0]))).toMatch(/^Pin 3 /);
+    expect(await refused(place(-1, 3, [0, 0, 0]))).toMatch(/^Pin 3 /);
+    expect(await refused(place(0, 60, [0, 0, 0]))).toMatch(/^Pin 3 /);
+    expect(await refused(place(0, 3, [0, NaN, 0]))).toMatch(/^Pin 3 /);
   });
 });
 

@@ -72,6 +72,7 @@ describe("what the engine is asked", async () => {
             { id: "1", point: "b", frame: 59, kind: "place", position: [0, 2, 0] },
             { id: "2", point: "a", frame: 3, kind: "still" },
             { id: "3", point: "a", frame: 60, kind: "still" },
+            { id: "4", point: "a", other: "b", frame: 3, kind: "level" },
           ],
           contacts: {
             d: [
@@ -88,12 +89,22 @@ describe("what the engine is asked", async () => {
       },
     };
     const input = retargetInput(model, said, { joints, frames: 60 });
-    expect(input.constraints).toHaveLength(2);
-    expect(input.constraints?.[0]).toMatchObject({ kind: "position", control: 1, frame: 59 });
+    expect(input.constraints).toHaveLength(3);
+    expect(input.constraints?.[0]).toMatchObject({ control: 1, frame: 59, fromControl: -1, x: true, y: true, z: true });
     expect(pointFromStage(stage, (input.constraints?.[0] as { value: [number, number, number] }).value)).toEqual(
       [0, 2, 0].map((v) => expect.closeTo(v, 5)),
     );
-    expect(input.constraints?.[1]).toEqual({ kind: "velocity", control: 0, frame: 3, value: [0, 0, 0] });
+    expect(input.constraints?.[1]).toMatchObject({ control: 0, frame: 3, fromControl: 0, fromFrame: 2, value: [0, 0, 0] });
+    expect(input.constraints?.[2]).toEqual({
+      control: 0,
+      frame: 3,
+      fromControl: 1,
+      fromFrame: 3,
+      value: [0, 0, 0],
+      x: false,
+      y: true,
+      z: false,
+    });
     expect(input.contacts).toEqual([
       { control: 0, runs: [] },
       {

@@ -22,38 +22,28 @@ struct ConstraintRow {
   };
   std::array<Term, 2> terms;
   S target;
-  std::int32_t constraint;  // counted through positions, velocities, heights
+  std::int32_t constraint;
 };
 
 // The equations behind the constraints on C tracks of T frames. Allocates.
-// Errors: bad_constraint (where: counted through positions, velocities, heights).
+// Errors: bad_constraint (where: constraint).
 template <class S>
 Status constraint_rows(const Constraints<S>& constraints, std::int32_t frames, std::int32_t tracks,
                        std::vector<ConstraintRow<S>>& rows) {
   std::vector<ConstraintRow<S>> result;
   std::int32_t index = 0;
-  const auto inside = [&](std::int32_t track, std::int32_t frame) {
-    return track >= 0 && track < tracks && frame >= 0 && frame < frames;
+  const auto inside = [&](const TrackFrame& at) {
+    return at.track >= 0 && at.track < tracks && at.frame >= 0 && at.frame < frames;
   };
-  for (const auto& c : constraints.positions) {
-    if (!inside(c.track, c.frame)) return {Error::bad_constraint, index};
+  for (const Constraint<S>& c : constraints) {
+    const TrackFrame from = c.from.value_or(c.at);
+    if (!inside(c.at) || !inside(from)) return {Error::bad_constraint, index};
     for (std::int32_t axis = 0; axis < 3; ++axis) {
       if (!nth(c.axes, axis)) continue;
-      result.push_back({{{{c.track, c.frame, axis, 1}, {c.track, c.frame, axis, 0}}}, c.position[axis], index});
+      const S less = c.from ? S(-1) : S(0);
+      result.push_back(
+          {{{{c.at.track, c.at.frame, axis, 1}, {from.track, from.frame, axis, less}}}, c.value[axis], index});
     }
-    ++index;
-  }
-  for (const auto& c : constraints.velocities) {
-    if (!inside(c.track, c.frame) || c.frame == 0) return {Error::bad_constraint, index};
-    for (std::int32_t axis = 0; axis < 3; ++axis) {
-      if (!nth(c.axes, axis)) continue;
-      result.push_back({{{{c.track, c.frame, axis, 1}, {c.track, c.frame - 1, axis, -1}}}, c.velocity[axis], index});
-    }
-    ++index;
-  }
-  for (const auto& c : constraints.heights) {
-    if (!inside(c.track, c.frame) || !inside(c.other, c.frame)) return {Error::bad_constraint, index};
-    result.push_back({{{{c.track, c.frame, 1, 1}, {c.other, c.frame, 1, -1}}}, c.difference, index});
     ++index;
   }
   for (const auto& row : result)

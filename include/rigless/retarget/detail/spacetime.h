@@ -87,7 +87,7 @@ class SpacetimeSolver {
   Span<const Vec3<S>> track(std::int32_t index) const { return nth(solution_, index); }
   Span<const S> weights(std::int32_t index) const { return nth(weights_, index); }
 
-  // How far each constraint is missed at worst, counted through positions, velocities, heights; and which other one
+  // How far each constraint is missed at worst; and which other one
   // stands most in its way, or -1: constraints that repeat each other do not.
   Span<const S> residuals() const { return forces_.residuals(); }
   Span<const std::int32_t> opponents() const { return forces_.opponents(); }

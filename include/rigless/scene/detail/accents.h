@@ -155,17 +155,10 @@ S gain_towards(S share, const AccentSums<S>& sums) {
 template <class S>
 std::vector<std::uint8_t> held_controls(const Constraints<S>& constraints, const Performance<S>& p) {
   std::vector<std::uint8_t> held = p.contacts;
-  const auto hold = [&](std::int32_t control, std::int32_t frame) {
-    held[to_size(frame) * p.control_count() + to_size(control)] = 1;
-  };
-  for (const auto& c : constraints.positions) hold(c.track, c.frame);
-  for (const auto& c : constraints.velocities) {
-    hold(c.track, c.frame);
-    hold(c.track, c.frame - 1);
-  }
-  for (const auto& c : constraints.heights) {
-    hold(c.track, c.frame);
-    hold(c.other, c.frame);
+  const auto hold = [&](const TrackFrame& at) { held[to_size(at.frame) * p.control_count() + to_size(at.track)] = 1; };
+  for (const Constraint<S>& c : constraints) {
+    hold(c.at);
+    if (c.from) hold(*c.from);
   }
   return held;
 }

@@ -95,15 +95,15 @@ class Ground {
   // The coordinates of standing controls that constraints hold, as bits: T x K, or empty.
   std::vector<std::uint8_t> pins(const Constraints<S>& constraints) const {
     const std::size_t feet = standing_.control.size();
-    std::vector<std::uint8_t> pins(constraints.size() > 0 ? standing_.labels.size() : 0, 0);
-    const auto pin = [&](std::int32_t control, std::int32_t frame, const AxisMask& axes) {
+    std::vector<std::uint8_t> pins(!constraints.empty() ? standing_.labels.size() : 0, 0);
+    for (const Constraint<S>& c : constraints) {
+      if (c.from) continue;
       for (std::size_t k = 0; k < feet; ++k) {
-        if (standing_.control[k] != control) continue;
+        if (standing_.control[k] != c.at.track) continue;
         for (int axis = 0; axis < 3; ++axis)
-          if (nth(axes, axis)) pins[to_size(frame) * feet + k] |= static_cast<std::uint8_t>(1 << axis);
+          if (nth(c.axes, axis)) pins[to_size(c.at.frame) * feet + k] |= static_cast<std::uint8_t>(1 << axis);
       }
-    };
-    for (const auto& c : constraints.positions) pin(c.track, c.frame, c.axes);
+    }
     return pins;
   }
 

@@ -68,9 +68,10 @@ struct LapMargin {
   // The same constraints on the wound clip.
   template <class S>
   void shift(Constraints<S>& constraints) const {
-    for (auto& c : constraints.positions) c.frame += margin();
-    for (auto& c : constraints.velocities) c.frame += margin();
-    for (auto& c : constraints.heights) c.frame += margin();
+    for (Constraint<S>& c : constraints) {
+      c.at.frame += margin();
+      if (c.from) c.from->frame += margin();
+    }
   }
 
   // The clip's own frames, T x C, of (T + 2 margin) x C. No allocation.
