@@ -63,17 +63,20 @@ struct HeldHuman {
     return range;
   }
 
-  // The middle of what rests between two planes across the left arm.
-  Vec3f middle_of_left_arm(float from, float to) {
+  // The middle of what rests in a box.
+  Vec3f middle_of(const Vec3f& low, const Vec3f& high) {
     Vec3f sum = Vec3f::Zero();
     float count = 0;
     for (std::size_t v = 0; v < model.vertices.size(); ++v) {
-      if (model.vertices[v].x() < from || model.vertices[v].x() > to) continue;
+      const Vec3f& p = model.vertices[v];
+      if ((p - low).minCoeff() < 0 || (high - p).minCoeff() < 0) continue;
       sum += body.positions()[v];
       ++count;
     }
     return sum / count;
   }
+  // Of what rests between two planes across the left arm.
+  Vec3f middle_of_left_arm(float from, float to) { return middle_of({from, 0, -99}, {to, 99, 99}); }
 };
 
 }  // namespace
@@ -130,6 +133,52 @@ TEST_CASE("an arm bends backwards at the elbow when its hand is nearer than it i
   CHECK(least > 0.6f);
   CHECK(most < 1.5f);
   CHECK(held.middle_of_left_arm(9, 12).z() < -0.4f);
+}
+
+TEST_CASE("a straight leg bends forwards, also where its foot points forward") {
+  HeldHuman held(build_blocks<float>(block_human));
+  constexpr std::size_t left = 4;
+  held.controls.resize(left);
+  held.hold({2, 0, 5}, 1.5f, false);
+  held.hold({-2, 0, 5}, 1.5f, false);
+  REQUIRE(held.body.set_controls(held.controls).ok());
+  std::vector<Vec3f> targets(held.body.rest_controls().begin(), held.body.rest_controls().end());
+  const Vec3f low(0.5f, 7, -9), high(9, 10, 9);
+  const auto knee = [&] {
+    held.body.act(targets, 1);
+    return held.middle_of(low, high);
+  };
+  const Vec3f rest = knee();
+  targets[left] += Vec3f(0, 4, 0);
+  CHECK(knee().z() > rest.z() + 1);
+}
+
+TEST_CASE("a hand that is to go into a large head passes beside it; elsewhere it goes where it is asked") {
+  std::vector<Block> blocks = block_human;
+  blocks.push_back({{-8, 32, -6}, {8, 44, 7}});
+  HeldHuman held(build_blocks<float>(blocks));
+  const auto deepest = [&] {
+    float depth = 0;
+    for (std::size_t v = 0; v < held.model.vertices.size(); ++v) {
+      if (held.model.vertices[v].x() < 14) continue;
+      const Vec3f p = held.body.positions()[v];
+      const Vec3f in(8 - std::abs(p.x()), std::min(p.y() - 32, 44 - p.y()), std::min(p.z() + 6, 7 - p.z()));
+      depth = std::max(depth, in.minCoeff());
+    }
+    return depth;
+  };
+  std::vector<Vec3f> targets = held.rest;
+  for (const Vec3f& asked : {Vec3f(3, 37, 0), Vec3f(6, 36, 4), Vec3f(0, 36, 2)}) {
+    targets[HeldHuman::left_hand] = asked;
+    held.body.act(targets, 1);
+    CHECK(deepest() < 1);
+  }
+  const auto hand = [&] { return held.body.positions()[static_cast<std::size_t>(held.controls[2].vertex)]; };
+  for (const Vec3f& asked : {Vec3f(12, 36, 0), Vec3f(7, 20, 8), held.rest[HeldHuman::left_hand]}) {
+    targets[HeldHuman::left_hand] = asked;
+    held.body.act(targets, 1);
+    CHECK((hand() - asked).norm() < 0.5f);
+  }
 }
 
 TEST_CASE("a limb that is known leaves where it is said to, and turns there") {

@@ -9,6 +9,7 @@
 #include "rigless/mesh/inspect.h"
 #include "rigless/mesh/solid.h"
 #include "rigless/retarget/detail/rests_on_ground.h"
+#include "rigless/scene/detail/clearance.h"
 #include "rigless/scene/detail/drag.h"
 #include "rigless/scene/detail/limb_turns.h"
 #include "rigless/scene/detail/soles.h"
@@ -62,14 +63,16 @@ class Body {
     for (std::size_t c = 0; c < targets.size(); ++c) {
       if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
-    drag_.move(deformer_, targets, volume, restart, rotations(targets));
+    const Span<const Mat3<S>> turned = begin_towards(targets);
+    drag_.move(deformer_, targets, volume, restart, turned);
     take_shape();
     return {};
   }
 
   // The mesh for these C finite targets; depends on nothing but them. No allocation.
   void act(Span<const Vec3<S>> targets, S volume) {
-    detail::deform_from_rest(deformer_, targets, volume, rotations(targets));
+    const Span<const Mat3<S>> turned = begin_towards(targets);
+    detail::deform_from_rest(deformer_, targets, volume, turned);
     take_shape();
   }
 
@@ -150,14 +153,14 @@ class Body {
   RIGLESS_COLD Status hold_solid(Span<const Control<S>> controls) {
     if (const Status status = detail::check_controls(solid_, controls); !status.ok()) return status;
     const std::vector<Vec3<S>> rest = at_rest(controls);
-    std::vector<detail::Limb<S>> limbs =
-        detail::find_limbs<S>(solid_, controls, rest, detail::bounds<S>(rest_).height());
-    detail::LimbTurns<S> turns;
-    turns.bind(solid_, controls, rest, limbs);
-    Discs<S> pieces = detail::make_solid_pieces<S>(solid_, rest_, controls, turns.on_limb(), turns.in_hand());
-    if (const Status status = deformer_.set_discs(std::move(pieces)); !status.ok()) return status;
     const detail::Bounds<S> box = detail::bounds<S>(rest_);
+    std::vector<detail::Limb<S>> limbs = detail::find_limbs<S>(solid_, controls, rest, box.height());
+    detail::LimbTurns<S> turns;
+    turns.bind(solid_, controls, rest, limbs, box.low.y(), box.height());
+    Discs<S> pieces = detail::make_solid_pieces<S>(solid_, rest_, controls, turns.on_limb(S(0.5)), turns.in_hand());
+    if (const Status status = deformer_.set_discs(std::move(pieces)); !status.ok()) return status;
     soles_.bind(limbs, turns, rest, box.low.y(), box.height());
+    clearance_.bind(solid_, controls, limbs, turns, rest, box.low.y(), box.height());
     find_supports(turns.in_hand(), rest, box);
     limbs_ = std::move(limbs);
     turns_ = std::move(turns);
@@ -181,10 +184,12 @@ class Body {
     return rest;
   }
 
-  // How nodes begin to turn; none where the surface is solved.
-  Span<const Mat3<S>> rotations(Span<const Vec3<S>> targets) {
+  // How nodes begin to turn, none where the surface is solved; leads hands of the targets around the body.
+  Span<const Mat3<S>> begin_towards(Span<const Vec3<S>>& targets) {
     if (!is_solid()) return {};
-    const Span<const Mat3<S>> turned = turns_.turn(trunk_.turn(deformer_, targets), targets);
+    const detail::TrunkMotion<S> trunk = trunk_.turn(deformer_, targets);
+    targets = clearance_.clear(trunk, targets);
+    const Span<const Mat3<S>> turned = turns_.turn(trunk, targets);
     soles_.lay(deformer_, targets, turns_);
     return turned;
   }
@@ -205,6 +210,7 @@ class Body {
   detail::Trunk<S> trunk_;
   detail::LimbTurns<S> turns_;
   detail::Soles<S> soles_;
+  detail::Clearance<S> clearance_;
   Solid<S> solid_;
   std::vector<NodeTransform<S>> transforms_;  // N
   std::vector<detail::NodeMap<S>> maps_;      // N

@@ -19,9 +19,10 @@ namespace rigless::detail {
 template <class S>
 class LimbTurns {
  public:
-  // C controls, where they rest, and the limb at whose tip each lies. A stump is no limb that turns. Allocates.
+  // C controls, where they rest, and the limb at whose tip each lies; floor: y of the lowest vertex at rest; height: of
+  // the mesh. A stump is no limb that turns. Allocates.
   RIGLESS_COLD void bind(const Solid<S>& solid, Span<const Control<S>> controls, Span<const Vec3<S>> rest,
-                         Span<const Limb<S>> limbs) {
+                         Span<const Limb<S>> limbs, S floor, S height) {
     chains_.clear();
     nodes_.clear();
     rotations_.assign(solid.rest.size(), Mat3<S>::Identity());
@@ -38,7 +39,7 @@ class LimbTurns {
         nth(nearest, node) = distance;
         nth(found, node) = node_at(node, count_of(chains_), distance / limb.reach);
       }
-      chains_.push_back(make_chain(limb, static_cast<std::int32_t>(c), rest[c]));
+      chains_.push_back(make_chain(limb, static_cast<std::int32_t>(c), rest[c], is_leg(limb, rest[c], floor, height)));
     }
     // What is known to be a limb was not followed from its tip.
     const TrunkShape<S> trunk = find_trunk(solid, controls, rest);
@@ -53,10 +54,10 @@ class LimbTurns {
       if (node.chain >= 0) nodes_.push_back(node);
   }
 
-  // N: not 0 for nodes of limbs. Allocates.
-  RIGLESS_COLD std::vector<char> on_limb() const {
+  // N: not 0 for nodes that take more than a share of a limb's turn. Allocates.
+  RIGLESS_COLD std::vector<char> on_limb(S share) const {
     std::vector<char> on(rotations_.size(), 0);
-    for (const Node& node : nodes_) nth(on, node.node) = node.upper > S(0.5) ? 1 : 0;
+    for (const Node& node : nodes_) nth(on, node.node) = node.upper > share ? 1 : 0;
     return on;
   }
 
@@ -124,15 +125,21 @@ class LimbTurns {
   }
 
   // Bends as it rests bent; a straight leg as a knee does, and what does not stand as an elbow of an arm that hangs.
-  RIGLESS_COLD static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip) {
+  RIGLESS_COLD static Chain make_chain(const Limb<S>& limb, std::int32_t control, const Vec3<S>& tip, bool leg) {
     Chain chain{control,          limb.base,        limb.middle,      tip,
                 Vec3<S>::UnitZ(), Turn::Identity(), Turn::Identity(), Turn::Identity()};
-    const Vec3<S> way = (tip - limb.base).normalized();
-    const Vec3<S> off = limb.middle - limb.base - way * way.dot(limb.middle - limb.base);
+    const Vec3<S> way = (tip - limb.base).normalized(), half = limb.middle - limb.base;
+    const Vec3<S> off_line = half - way * way.dot(half);
+    Vec3<S> off = off_line;
+    if (leg) {  // whose foot points forward: it may be straight seen from there or straight down
+      const Vec3<S> aside(half.x(), S(0), half.z());
+      if (aside.squaredNorm() < off.squaredNorm()) off = aside;
+    }
     if (off.norm() > S(0.08) * limb.length) {
       chain.bulge = off.normalized();
     } else {
-      const Vec3<S> hanging = is_leg(limb, tip) ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-Vec3<S>::UnitZ());
+      chain.middle -= off_line;
+      const Vec3<S> hanging = leg ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-Vec3<S>::UnitZ());
       chain.bulge = shortest_arc<S>(-Vec3<S>::UnitY(), way) * hanging;
     }
     return chain;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rigless/mesh/detail/limb.h"
+#include "rigless/retarget/detail/rests_on_ground.h"
 #include "rigless/scene/detail/limb_nodes.h"
 
 namespace rigless::detail {
@@ -14,10 +15,12 @@ bool is_stump(const Limb<S>& limb, S cell) {
   return limb.length > S(0) && limb.length * limb.length < S(6) * limb.girth * cell;
 }
 
-// Whether a limb stands: its tip is almost as far below its base as it is long.
+// Whether a limb stands: its tip is on the ground, almost as far below its base as it is away. floor: y of the lowest
+// vertex at rest; height: of the mesh.
 template <class S>
-bool is_leg(const Limb<S>& limb, const Vec3<S>& tip) {
-  return limb.base.y() - tip.y() > S(0.8) * limb.length;
+bool is_leg(const Limb<S>& limb, const Vec3<S>& tip, S floor, S height) {
+  return limb.length > S(0) && rests_on_ground(tip, floor, height) &&
+         limb.base.y() - tip.y() > S(0.8) * (limb.base - tip).norm();
 }
 
 // C: limbs that are known, but none that would tear at the body: of whose outer half more than a fifth has grown

@@ -8,7 +8,6 @@
 
 #include "rigless/deform/deformer.h"
 #include "rigless/math/detail/smooth_step.h"
-#include "rigless/retarget/detail/rests_on_ground.h"
 #include "rigless/scene/detail/limb_turns.h"
 
 namespace rigless::detail {
@@ -23,8 +22,7 @@ class Soles {
     feet_.clear();
     lifted_ = S(0.08) * height;
     for (std::int32_t c = 0; c < count_of(rest); ++c)
-      if (turns.has(c) && is_leg(nth(limbs, c), nth(rest, c)) && rests_on_ground(nth(rest, c), floor, height))
-        feet_.push_back({c, nth(rest, c).y()});
+      if (turns.has(c) && is_leg(nth(limbs, c), nth(rest, c), floor, height)) feet_.push_back({c, nth(rest, c).y()});
   }
 
   // Before the deformer goes to C finite targets, for legs that are turned so: the lowest foot is on the ground, and
