@@ -152,6 +152,18 @@ struct BakeRoot {
   Number volume_ratio;  // NaN when open
 };
 
+// What the user says of a motion: instead of what is guessed, and what is danced of it.
+struct MotionEdits {
+  Number metres_per_unit;  // 0: guessed
+  Number fps;              // 0: the file's
+  Number up;               // an UpAxis; -1: guessed
+  Number turns;            // quarter turns, counter-clockwise from above
+  Flag mirror;
+  Number first;  // frames at 30 fps
+  Number last;
+  Flag loop;
+};
+
 struct MotionInfo {
   Number frames;  // T
   Number joints;  // J
@@ -159,6 +171,7 @@ struct MotionInfo {
   Number source_fps;
   Number metres_per_unit;  // of the file
   Flag told;               // which joints are its feet and its head or hands
+  Number take_frames;      // before it was cut
 };
 
 // What a joint is; no place of a body has two.

@@ -1,6 +1,8 @@
 // Motions as flat C functions over integer handles. No logic of its own: it turns memory into spans, double into
 // float32, and a Status into one number. Double inside. Built for size.
 
+#include <algorithm>
+
 #include "exports.h"
 #include "motions.h"
 
@@ -9,6 +11,7 @@ using rigless::Status;
 using rigless_wasm::answer;
 using rigless_wasm::JointPlace;
 using rigless_wasm::Motion;
+using rigless_wasm::MotionEdits;
 using rigless_wasm::MotionInfo;
 using rigless_wasm::MotionNotes;
 using rigless_wasm::motions;
@@ -36,12 +39,24 @@ RIGLESS_EXPORT ObjectHandle motion_new() { return motions.add(); }
 
 RIGLESS_EXPORT void motion_delete(ObjectHandle motion) { motions.remove(motion); }
 
-// UTF-8 texts of a motion in any format, and of the skeleton beside it, which may be empty.
+// UTF-8 texts of a motion in any format, and of the skeleton beside it, which may be empty. joints: names of its hips,
+// head, hands and feet as rigless::detail::Corrections has them, each on a line of its own.
 RIGLESS_EXPORT PackedStatus motion_read(ObjectHandle motion, const char* text, std::int32_t bytes, const char* skeleton,
-                                        std::int32_t skeleton_bytes) {
+                                        std::int32_t skeleton_bytes, const MotionEdits* said, const char* joints,
+                                        std::int32_t joints_bytes) {
   Motion& m = motions[motion];
-  const Status status =
-      rigless::detail::read_motion(text_view(text, bytes), text_view(skeleton, skeleton_bytes), m, m.in_skeleton);
+  std::string_view names = text_view(joints, joints_bytes);
+  const auto whole = [](const rigless_wasm::Number& n) { return static_cast<std::int32_t>(n.value); };
+  rigless::detail::MotionEdits edits;
+  edits.file = {said->metres_per_unit.value, said->fps.value, whole(said->up), whole(said->turns), {}};
+  for (std::string_view& name : edits.file.joints) {
+    name = names.substr(0, names.find('\n'));
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+  }
+  edits.mirror = said->mirror.value != 0;
+  edits.cut = {whole(said->first), whole(said->last), said->loop.value != 0};
+  const Status status = rigless::detail::read_motion(text_view(text, bytes), text_view(skeleton, skeleton_bytes), edits,
+                                                     m, m.in_skeleton);
   if (!status.ok()) return pack(status);
   m.places = m.staged.roles.places(m.staged.clip.joints());
   narrow(m.staged.clip.positions, m.positions);
@@ -62,6 +77,7 @@ RIGLESS_EXPORT const MotionInfo* motion_info(ObjectHandle motion) {
       .source_fps = m.source_fps,
       .metres_per_unit = m.clip.metres_per_unit,
       .told = m.roles.known(),
+      .take_frames = m.take_frames,
   });
 }
 
@@ -106,6 +122,10 @@ RIGLESS_EXPORT const JointPlace* motion_place(ObjectHandle motion, std::int32_t 
 RIGLESS_EXPORT const std::int32_t* motion_parents(ObjectHandle motion) {
   return motions[motion].staged.clip.skeleton.parents.data();
 }
+
+// T, 1 while the left foot stands; the right one.
+RIGLESS_EXPORT const std::uint8_t* motion_left(ObjectHandle motion) { return motions[motion].staged.left.data(); }
+RIGLESS_EXPORT const std::uint8_t* motion_right(ObjectHandle motion) { return motions[motion].staged.right.data(); }
 
 // T x J x 3, T x J x 3 and T, float32
 RIGLESS_EXPORT const float* motion_positions(ObjectHandle motion) { return motions[motion].positions.data(); }

@@ -154,7 +154,7 @@ template <class S>
 Status RetargetedMesh<S>::make(const RetargetMeshInput<S>& input, const RetargetMeshOptions<S>& options) {
   detail::MotionRead read;
   bool in_skeleton = false;
-  if (const Status status = detail::read_motion(input.motion, input.skeleton, read, in_skeleton); !status.ok())
+  if (const Status status = detail::read_motion(input.motion, input.skeleton, {}, read, in_skeleton); !status.ok())
     return status;
   const StagedMotion<double>& motion = read.staged;
 

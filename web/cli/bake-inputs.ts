@@ -67,7 +67,7 @@ async function guessed(asked: Asked, binding: Binding, signal: AbortSignal): Pro
   const motions = await motionsOf(asked, files, signal);
   const model = await readModelInThread(modelFiles, reading(asked, signal));
   progress.step("Looking at the model");
-  const { joints } = await binding.takeMotion(motions[0].input, () => ({ signal }));
+  const { joints } = await binding.takeMotion({ motion: { files: motions[0].files } }, motions[0].input, () => ({ signal }));
   const said = await binding.engine.analyseShape(shapeInput(model), { signal });
   const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motions[0].files, model, said, joints);
   const { up, facing } = document.mesh;

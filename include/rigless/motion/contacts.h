@@ -53,9 +53,10 @@ struct Contacts {
 template <class S>
 Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles, const ContactOptions<S>& options = {});
 
-// `frames` labels, 1 where the nearest source frame is in a run. Allocates the result.
+// `frames` labels from the frame `first` on, 1 where the nearest source frame is in a run. Allocates the result.
 template <class S>
-std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S source_fps, S fps, std::int32_t frames);
+std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S source_fps, S fps, std::int32_t frames,
+                                         std::int32_t first = 0);
 
 // Flights inside the clip, in order, none over another and none without a frame in the air. Allocates.
 inline std::vector<Flight> tidy_flights(Span<const Flight> flights, std::int32_t frames);
@@ -210,10 +211,11 @@ Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles, const Conta
 }
 
 template <class S>
-std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S source_fps, S fps, std::int32_t frames) {
+std::vector<std::uint8_t> contact_labels(const std::vector<FrameRun>& runs, S source_fps, S fps, std::int32_t frames,
+                                         std::int32_t first) {
   std::vector<std::uint8_t> labels(static_cast<std::size_t>(frames), 0);
   for (std::int32_t f = 0; f < frames; ++f) {
-    const std::int32_t source = static_cast<std::int32_t>(std::lround(static_cast<S>(f) * source_fps / fps));
+    const std::int32_t source = static_cast<std::int32_t>(std::lround(static_cast<S>(first + f) * source_fps / fps));
     for (const FrameRun& run : runs)
       if (source >= run.begin && source < run.end) labels[static_cast<std::size_t>(f)] = 1;
   }

@@ -22,17 +22,18 @@ namespace rigless {
 // up_axis.h). End Sites are joints named <parent>_end. Rotations multiply in the order of the channels; position
 // channels stand for the OFFSET, on joints other than the root also beside it, whichever the values fit. Of several
 // ROOTs the first is read; joints above the hips are left out, and what hangs beside these; names become unique.
-// Allocates in proportion to what the text holds, whatever it declares. Errors: empty_input, not_this_format,
-// unexpected_end, bad_syntax, bad_number, unsupported with their line (a common reason for bad_number is NaN, for
-// unexpected_end a download that was cut); no_frames: not one whole frame; not_finite: a number too large for S;
-// out_of_memory: more than 2^26 positions. `clip` and `notes` then keep what they had.
+// `hips`: the name of that joint, where it is known. Allocates in proportion to what the text holds, whatever it
+// declares. Errors: empty_input, not_this_format, unexpected_end, bad_syntax, bad_number, unsupported with their line
+// (a common reason for bad_number is NaN, for unexpected_end a download that was cut); no_frames: not one whole frame;
+// not_finite: a number too large for S; out_of_memory: more than 2^26 positions. `clip` and `notes` then keep what they
+// had.
 template <class S>
-Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes = nullptr);
+Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes = nullptr, std::string_view hips = {});
 
 // ---------------------------------------------------------------------------------------------------------------------
 
 template <class S>
-Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes) {
+Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes, std::string_view hips) {
   detail::TextScanner scanner(text);
   detail::BvhHierarchy hierarchy;
   detail::BvhMotion motion;
@@ -54,7 +55,7 @@ Status parse_bvh(std::string_view text, Clip<S>& clip, ParseNotes* notes) {
     skeleton.names.push_back(std::move(hierarchy.nodes[j].name));
     skeleton.parents.push_back(hierarchy.nodes[j].parent);
   }
-  detail::pose_bvh_clip(hierarchy, motion, skeleton, result, found);
+  detail::pose_bvh_clip(hierarchy, motion, skeleton, hips, result, found);
   if (!detail::all_finite(result)) return {Error::not_finite, -1};
 
   found.roots = hierarchy.roots;

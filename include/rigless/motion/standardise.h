@@ -6,6 +6,7 @@
 
 #include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/corrections.h"
 #include "rigless/motion/detail/first_frame.h"
 #include "rigless/motion/detail/length_unit.h"
 #include "rigless/motion/detail/root_axes.h"
@@ -26,17 +27,26 @@ struct Standardised {
   bool faced_away = false;         // the clip began so, and was turned around
 };
 
-// After parsing, before everything else. `rest` as in ParseNotes, or empty. Allocates scratch.
+// After parsing, before everything else. `rest` as in ParseNotes, or empty; `said` stands instead of guesses. Allocates
+// scratch.
 template <class S>
-Standardised<S> standardise(Clip<S>& clip, Span<const Vec3<double>> rest) {
+Standardised<S> standardise(Clip<S>& clip, Span<const Vec3<double>> rest, const detail::Corrections& said = {}) {
+  constexpr double quarter = 1.57079632679489661923;
   Standardised<S> done;
+  if (said.fps > 0) clip.fps = static_cast<S>(said.fps);
   done.pose_in_front = detail::leave_out_pose_in_front(clip, rest);
   done.roles = find_joint_roles(clip);
-  done.up = detail::guess_up_axis(clip, done.roles, rest);
+  detail::correct_roles(clip.skeleton, said, done.roles);
+  done.up = said.up >= 0 ? static_cast<UpAxis>(said.up) : detail::guess_up_axis(clip, done.roles, rest);
   detail::turn_upright(clip, done.up);
   done.root_axes_aligned = detail::align_root_axes(clip, done.roles);
-  done.faced_away = detail::turn_to_viewer(clip, done.roles);
-  done.unit = detail::guess_unit(clip, done.roles);
+  const double to_viewer = detail::turn_to_viewer(clip, done.roles);
+  done.faced_away = to_viewer != 0;
+  detail::turn_about_y(clip, to_viewer + quarter * said.turns);
+  if (said.metres_per_unit > 0)
+    done.unit = {static_cast<S>(said.metres_per_unit) / clip.metres_per_unit, LengthUnit::metre};
+  else
+    done.unit = detail::guess_unit(clip, done.roles);
   detail::scale_clip(clip, done.unit.metres_per_unit);
   return done;
 }

@@ -123,6 +123,7 @@ class PerformanceBuilder {
     if (const Status status = ground_.stand(constraints_, settings_.ground_contact, p, root); !status.ok())
       return status;
     detail::follow_through<S>(follow_, root, height_, motion_->loop_period > 0, p);
+    laps_.close(p.controls);
     if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
     measure_constraints(p);
     p.opponents.assign(retargeter_.opponents().begin(), retargeter_.opponents().end());

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "rigless/math/detail/smooth_step.h"
 #include "rigless/motion/contacts.h"
 #include "rigless/motion/detail/body_frame.h"
 #include "rigless/motion/detail/resample.h"
@@ -22,39 +24,81 @@ struct StagedMotion {
   std::vector<std::uint8_t> left, right;  // T, 1 while the foot stands; found at the rate of the file
   std::vector<Flight> flights;
   std::int32_t loop_period = 0;    // frames after which it begins again; 0: it does not
+  std::int32_t take_frames = 0;    // before it was cut
   std::int32_t source_frames = 0;  // of the file
   S source_fps = 0;
 };
 
+// What is danced of a motion: frames at 30 fps, both included, as far as the motion goes.
+struct MotionCut {
+  std::int32_t first = 0;
+  std::int32_t last = std::numeric_limits<std::int32_t>::max();
+  bool loop = false;  // the last frame is made the first again
+};
+
+}  // namespace rigless
+
+namespace rigless::detail {
+
+// Leads the end to the first pose and to its height above the ground; what travels or turns goes on from there. yaw: T.
+// Does not allocate.
+template <class S>
+void close_seam(const std::vector<S>& yaw, Clip<S>& clip) {
+  constexpr std::int32_t most = 15;  // frames
+  const std::int32_t last = clip.frames - 1, lead = std::min(most, last / 2);
+  for (std::int32_t j = clip.joints(); j-- > 0;) {  // the root last: the others are seen from it
+    Vec3<S> gap = to_body<S>(clip.at(0, j), clip.at(0, 0), yaw.front()) -
+                  to_body<S>(clip.at(last, j), clip.at(last, 0), yaw.back());
+    gap.y() += clip.at(0, 0).y() - clip.at(last, 0).y();
+    for (std::int32_t f = last - lead + 1; f <= last; ++f) {
+      const S share = smooth_step(static_cast<S>(f - last + lead) / static_cast<S>(lead));
+      clip.positions[to_size(f * clip.joints() + j)] += from_body<S>(share * gap, Vec3<S>::Zero(), nth(yaw, f));
+    }
+  }
+}
+
+}  // namespace rigless::detail
+
+namespace rigless {
+
 // `source`: as standardise() leaves it, with the roles that it found. Allocates. Errors: no_frames; not_finite (where:
 // frame of the source); out_of_memory. On failure `out` keeps what it had.
 template <class S>
-Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion<S>& out) {
+Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion<S>& out, const MotionCut& cut = {}) {
   for (std::size_t i = 0; i < source.positions.size(); ++i) {
     if (!source.positions[i].allFinite()) {
       return {Error::not_finite, i / source.skeleton.names.size()};
     }
   }
   StagedMotion<S> staged;
-  if (const Status status = detail::resample(source, static_cast<S>(performance_fps), staged.clip); !status.ok())
+  const auto fps = static_cast<S>(performance_fps);
+  if (const Status status = detail::resample(source, fps, staged.clip, cut.first, cut.last); !status.ok())
     return status;
+  staged.take_frames = detail::resampled_frames(source, fps);
+  const std::int32_t frames = staged.clip.frames, first = std::clamp(cut.first, 0, staged.take_frames - frames);
   Vec3<S> origin = staged.clip.at(0, 0);
   for (const Vec3<S>& p : staged.clip.positions) origin.y() = std::min(origin.y(), p.y());
   for (Vec3<S>& p : staged.clip.positions) p -= origin;
   staged.yaw = detail::body_yaw(staged.clip);
+  if (cut.loop) detail::close_seam(staged.yaw, staged.clip);
   staged.local = detail::body_local_positions<S>(staged.clip, staged.yaw);
-  staged.loop_period = detail::loop_period<S>(staged.local, staged.clip.skeleton.names.size());
-  staged.roles = roles;
   const Contacts contacts = find_contacts(source, roles);
-  const auto fps = static_cast<S>(performance_fps);
-  staged.flights = resample_flights(contacts.flights, source.fps, fps, staged.clip.frames);
-  staged.left = contact_labels(contacts.left, source.fps, fps, staged.clip.frames);
-  staged.right = contact_labels(contacts.right, source.fps, fps, staged.clip.frames);
-  for (const Flight& flight : staged.flights) {  // rounded outwards, so the labels may reach in
-    for (std::int32_t f = flight.take_off + 1; f < flight.landing; ++f) {
+  staged.left = contact_labels(contacts.left, source.fps, fps, frames, first);
+  staged.right = contact_labels(contacts.right, source.fps, fps, frames, first);
+  for (const Flight& whole : resample_flights(contacts.flights, source.fps, fps, staged.take_frames)) {
+    const Flight flight = {whole.take_off - first, whole.landing - first};
+    if (flight.take_off < 0 || flight.landing >= frames) continue;  // a flight begins and ends in the clip
+    staged.flights.push_back(flight);
+    for (std::int32_t f = flight.take_off + 1; f < flight.landing; ++f) {  // rounded outwards: labels may reach in
       nth(staged.left, f) = nth(staged.right, f) = 0;
     }
   }
+  if (cut.loop) {
+    staged.left.back() = staged.left.front();
+    staged.right.back() = staged.right.front();
+  }
+  staged.loop_period = detail::loop_period<S>(staged.local, staged.clip.skeleton.names.size());
+  staged.roles = roles;
   staged.source_frames = source.frames;
   staged.source_fps = source.fps;
   out = std::move(staged);

@@ -1,13 +1,15 @@
 // rigless bake: a project, or a model and motions, to an animated GLB and the dance as numbers.
 
+import { saidOf } from "../../src/document/clips";
+import type { MotionEdits } from "../../src/document/edit-clip";
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
 import { buildSkinInNode } from "../../src/engine/skin-node";
 import { FPS, type Motion } from "../../src/engine/types";
 import { count } from "../../src/io/count";
-import { type Cut, cutClip, PACES } from "../../src/io/cut-clip";
 import { everyFor, exportDance, keptOf, lengthsOf, sayLikeness, sayReplaced, sizeFault } from "../../src/io/export-dance";
 import { formatNamed, listed } from "../../src/io/formats";
+import { PACES, paced } from "../../src/io/pace";
 import type { Likeness, Profile } from "../../src/io/profile";
 import { PROFILES } from "../../src/io/profiles";
 import type { FoundMotion } from "../../src/io/read-motion-files";
@@ -17,6 +19,7 @@ import { type Bake, bake } from "../../src/sync/bake";
 import { Binding } from "../../src/sync/binding";
 import { pairingFault, pairingNotes } from "../../src/sync/pairing";
 import { type Asked, type BakeInputs, openInputs } from "../bake-inputs";
+import { editedMotion, motionEditsOf } from "../edited-motion";
 import { FileError } from "../files";
 import { OutputFiles, print, STDOUT } from "../output-files";
 import { readArguments, UsageError } from "../verb";
@@ -36,7 +39,11 @@ Several motions become clips of one file, named after them, on one skeleton.
   --profile P    how it holds the dance: ${PROFILES.map(({ id, words }) => `${id} (${words})`).join(", ")}
   --in-place     the model stays on its spot
   --fps N        ${PACES.join(", ")} frames per second in the GLB (default ${FPS})
-  --loop         the end of each motion leads to its beginning
+  --from S       the second of each motion with which its dance begins
+  --to S         the second with which it ends
+  --speed N      so many times as fast: 0.25 to 4
+  --mirror       as a mirror shows it
+  --loop         it ends as it begins, and is cut where it does so best unless it is cut otherwise
   --track FILE   the dance as numbers: points, root, contacts
   --every K      keep every K-th frame in the GLB (default 1)
   --anyway       bake even if the motion has none of the joints that the points follow
@@ -49,6 +56,10 @@ const OPTIONS = {
   profile: { type: "string" },
   "in-place": { type: "boolean" },
   fps: { type: "string" },
+  from: { type: "string" },
+  to: { type: "string" },
+  speed: { type: "string" },
+  mirror: { type: "boolean" },
   loop: { type: "boolean" },
   track: { type: "string" },
   every: { type: "string" },
@@ -59,7 +70,9 @@ const OPTIONS = {
 interface BakeCommand extends Asked {
   readonly out: string | null;
   readonly profile: Profile;
-  readonly cut: Cut;
+  readonly fps: number;
+  /** Of every motion, whatever the project says. */
+  readonly edits: MotionEdits;
   /** Whatever the project says. */
   readonly inPlace: boolean;
   readonly track: string | null;
@@ -92,19 +105,14 @@ function commandOf(args: readonly string[]): BakeCommand {
   const fps = PACES.find((pace) => `${pace}` === (values.fps ?? `${FPS}`));
   if (fps === undefined) throw new UsageError(`--fps should be ${PACES.join(" or ")}, but it is "${values.fps}".`);
   const [out, clip, track] = [values.out ?? null, values.clip ?? null, values.track ?? null];
-  const [all = false, inPlace = false, loop = false, anyway = false, json = false] = [
-    values.all,
-    values["in-place"],
-    values.loop,
-    values.anyway,
-    values.json,
-  ];
-  return { inputs, out, clip, all, profile, inPlace, cut: { fps, loop }, track, every, anyway, json, progress };
+  const [all = false, inPlace = false, anyway = false, json = false] = [values.all, values["in-place"], values.anyway, values.json];
+  const edits = motionEditsOf(values);
+  return { inputs, out, clip, all, profile, inPlace, fps, edits, track, every, anyway, json, progress };
 }
 
 /** Errors (FileError): the GLB would be too large. */
-function checkSize({ out, every, profile, cut }: BakeCommand, { model }: BakeInputs, clips: readonly Clip[], next: number): void {
-  const frames = [...lengthsOf(clips), Math.round((next * cut.fps) / FPS)];
+function checkSize({ out, every, profile }: BakeCommand, { model }: BakeInputs, clips: readonly Clip[], next: number): void {
+  const frames = [...lengthsOf(clips), next];
   const fault = out === null ? null : sizeFault(model, frames, every, profile);
   if (!fault) return;
   const all = frames.reduce((sum, n) => sum + n, 0).toLocaleString("en-US");
@@ -137,8 +145,10 @@ async function danceAll(
   const clips: Clip[] = [];
   let last: Danced | null = null;
   for (const [n, { files, input }] of motions.entries()) {
-    const document = { ...inputs.document, settings, motion: { files } };
     const several = motions.length > 1 ? `${stem(input.name)} (${n + 1} of ${motions.length}): ` : "";
+    const asked = { ...inputs.document, settings, motion: { files } };
+    const document = await editedMotion(asked, input, command, binding, signal);
+    const { speed = 1 } = saidOf(document);
     const baked = await bake(
       binding,
       document,
@@ -147,12 +157,12 @@ async function danceAll(
         signal,
         onProgress: (step, done) => progress.step(several + step, done),
         onMotion: (read) => checkPairing(document, read, command.anyway),
-        onSolved: (frames) => checkSize(command, inputs, clips, frames),
+        onSolved: (frames) => checkSize(command, inputs, clips, Math.round((frames * command.fps) / (FPS * speed))),
       },
     );
     for (const note of [...(n === 0 ? model.notes : []), ...baked.motion.notes, ...pairingNotes(document, baked.motion)])
       progress.note(note);
-    clips.push({ name: nameOf(inputs, motions, input.name), frames: cutClip(baked.frames, command.cut) });
+    clips.push({ name: nameOf(inputs, motions, input.name), frames: paced(baked.frames, command.fps, speed) });
     last = { document, baked };
   }
   if (!last) throw new UsageError("There is no motion to bake.");
@@ -178,11 +188,11 @@ async function writeGlb(
   outputs: OutputFiles,
   signal: AbortSignal,
 ): Promise<Report> {
-  const { progress, profile, every, out, cut } = command;
+  const { progress, profile, every, out, fps } = command;
   progress.step("Writing");
   const name = document.name || clips[0].name;
   const tools = { buildSkin: buildSkinInNode, signal, onProgress: (done: number) => progress.step("Writing", done) };
-  const dance = { name, model, mesh: document.mesh, points: document.points, clips, fps: cut.fps };
+  const dance = { name, model, mesh: document.mesh, points: document.points, clips, fps };
   const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
   await outputs.add(out, glb);
   const kept = keptOf(lengthsOf(clips), every);
@@ -208,7 +218,7 @@ const figures = (likeness: Likeness | null): Omit<Report, "bytes"> => ({
 
 async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void> {
   const began = performance.now();
-  const { progress, out, track, every, cut } = command;
+  const { progress, out, track, every, fps } = command;
   const outputs = await OutputFiles.prepare([out, track]);
   const engine = await createNodeEngine();
   const binding = new Binding(engine);
@@ -228,7 +238,7 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
     await outputs.commit();
     if (!command.json) return;
     const seconds = (performance.now() - began) / 1000;
-    const told = keptClips(clips, every).map(({ name, kept }) => ({ name, frames: kept.length, seconds: kept[kept.length - 1] / cut.fps }));
+    const told = keptClips(clips, every).map(({ name, kept }) => ({ name, frames: kept.length, seconds: kept[kept.length - 1] / fps }));
     const json = { file: out, track, ...report, profile: command.profile.id, clips: told, seconds, warnings: progress.notes };
     await print(`${JSON.stringify(json, null, 2)}\n`);
   } finally {

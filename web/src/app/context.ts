@@ -1,3 +1,4 @@
+import { saidOf } from "../document/clips";
 import { newDocument } from "../document/commands";
 import type { ProjectDocument } from "../document/types";
 import type { Motion, Performance } from "../engine/types";
@@ -32,6 +33,8 @@ export class Context {
     this.workspace = new Workspace(() => this.document, createEngine);
     signals.on("document", () => {
       selection.follow(this.document);
+      const { speed = 1, loop = false } = saidOf(this.document);
+      Object.assign(this.player, { pace: speed, closed: loop });
       void this.workspace.sync();
     });
     this.notices.on("change", () => signals.tell("notices"));

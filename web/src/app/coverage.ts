@@ -22,7 +22,7 @@ export class Coverage {
     if (!performance || !motion || document.points.length === 0) return [];
     const { ask, enough, coverage } = performance;
     if (enough.have >= enough.want) return [];
-    const taken = new Set(this.poses.here.map((pose) => pose.source.frame));
+    const taken = new Set(this.poses.here.map((pose) => this.poses.frameOf(pose)));
     return ask
       .map(({ frame }) => frame)
       .filter((frame) => !taken.has(frame) && (coverage[frame] ?? 0) > ENOUGH)
@@ -51,7 +51,7 @@ export class Coverage {
   private follow(): void {
     const { asking } = this;
     if (asking === null) return;
-    if (this.context.player.frame !== asking || this.poses.here.some((pose) => pose.source.frame === asking)) this.set(null);
+    if (this.context.player.frame !== asking || this.poses.here.some((pose) => this.poses.frameOf(pose) === asking)) this.set(null);
   }
 
   private set(frame: number | null): void {

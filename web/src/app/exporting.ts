@@ -1,9 +1,10 @@
 // What a dance is taken away as: made before it is saved, so that its size and likeness are seen first. Not part of the first load.
 
+import { saidOf } from "../document/clips";
 import type { ProjectDocument } from "../document/types";
 import type { Frame } from "../engine/types";
-import { type Cut, cutClip, PACES } from "../io/cut-clip";
 import { everyFor, exportDance, keptOf, lengthsOf, sayReplaced } from "../io/export-dance";
+import { PACES, paced } from "../io/pace";
 import type { Likeness, Profile } from "../io/profile";
 import { PROFILES } from "../io/profiles";
 import type { Clip } from "../io/write-glb";
@@ -25,7 +26,9 @@ export interface ExportHelpers {
   readonly builtins: Builtins;
 }
 
-export interface ExportWish extends Cut {
+export interface ExportWish {
+  /** Frames per second. */
+  readonly fps: number;
   readonly profile: Profile;
   /** All motions, or the one that plays. */
   readonly all: boolean;
@@ -52,7 +55,7 @@ export type ExportState =
 const FITTING = 0.5;
 
 export class Exporting {
-  wish: ExportWish = { profile: PROFILES[0], all: false, inPlace: false, fps: 30, loop: false };
+  wish: ExportWish = { profile: PROFILES[0], all: false, inPlace: false, fps: 30 };
   state: ExportState = { kind: "closed" };
   private work = new AbortController();
   /** Frames of this document's dances, by motion; another wish may want them again. */
@@ -135,7 +138,8 @@ export class Exporting {
     const clips: Clip[] = [];
     const left: string[] = [];
     dances.forEach((frames, n) => {
-      if (frames) clips.push({ name: entries.length > 1 ? entries[n].name : name, frames: cutClip(frames, wish) });
+      const { speed = 1 } = saidOf({ ...document, motion: entries[n] });
+      if (frames) clips.push({ name: entries.length > 1 ? entries[n].name : name, frames: paced(frames, wish.fps, speed) });
       else left.push(entries[n].name);
     });
     const lengths = lengthsOf(clips);

@@ -19,7 +19,12 @@ export class Player extends Emitter<PlayerEvents> {
   frames = 0;
   playing = false;
   loop = true;
+  /** Of watching. */
   speed = 1;
+  /** Of the dance itself. */
+  pace = 1;
+  /** The last frame is the first again. */
+  closed = false;
   /** Playing, but the time stands still: a hand is about to take something that moves. */
   waiting = false;
   private time = 0;
@@ -36,7 +41,7 @@ export class Player extends Emitter<PlayerEvents> {
 
   /** "1.4 s" at the playhead. */
   get clockWords(): string {
-    return seconds(this.frame / FPS);
+    return seconds(this.frame / FPS / this.pace);
   }
 
   setFrames(frames: number): void {
@@ -103,9 +108,9 @@ export class Player extends Emitter<PlayerEvents> {
     if (!this.playing) return;
     const before = this.frame;
     // A tab that slept must not jump through the whole dance; a frame's time may lie before the click that began it.
-    if (!this.waiting) this.time += (Math.min(100, Math.max(0, now - this.last)) / 1000) * this.speed;
+    if (!this.waiting) this.time += (Math.min(100, Math.max(0, now - this.last)) / 1000) * this.speed * this.pace;
     this.last = now;
-    const length = this.frames / FPS;
+    const length = (this.frames - Number(this.closed)) / FPS;
     if (this.time >= length) {
       if (this.loop) {
         this.time %= length;

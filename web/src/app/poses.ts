@@ -1,3 +1,4 @@
+import { startOf } from "../document/clips";
 import * as commands from "../document/commands";
 import type { Example, Vec3 } from "../document/types";
 import type { Motion } from "../engine/types";
@@ -21,13 +22,20 @@ export class Poses {
     private readonly dragging: Dragging,
   ) {}
 
-  /** Poses made on the motion that plays, by frame. */
+  /** The frame of the dance at which a pose was made; on the motion that plays, it may be cut off. */
+  frameOf(pose: Example): number {
+    return pose.source.frame - startOf(this.context.document);
+  }
+
+  /** Poses made on what is danced of the motion that plays, by frame. */
   get here(): readonly Example[] {
     return this.context.document.examples.filter((pose) => this.isHere(pose)).sort((a, b) => a.source.frame - b.source.frame);
   }
 
   isHere(pose: Example): boolean {
-    return pose.source.motion === this.context.motionName;
+    const { motionName, motion } = this.context;
+    const frame = this.frameOf(pose);
+    return pose.source.motion === motionName && frame >= 0 && frame < (motion?.frames ?? Infinity);
   }
 
   /** Points have partners on the other side. */
@@ -44,7 +52,7 @@ export class Poses {
   get mirrored(): readonly { pose: Example; frame: number }[] {
     const { document, motion } = this.context;
     if (!motion || !this.teachBothSides) return [];
-    const own = this.here.map((pose) => pose.source.frame);
+    const own = this.here.map((pose) => this.frameOf(pose));
     return document.examples.flatMap((pose) => {
       const frame = this.mirrorOf(pose, motion);
       return frame === null || own.some((other) => Math.abs(other - frame) < 4) ? [] : [{ pose, frame }];
@@ -67,16 +75,16 @@ export class Poses {
 
   /** Makes what the hand dropped an example at its frame; one that is there already changes. */
   take({ frame, targets, wasPlaying }: Pick<Dropped, "frame" | "targets" | "wasPlaying">): void {
-    const { document, history, notices, signals, motionName } = this.context;
+    const { document, history, notices, signals } = this.context;
     const said = this.pairAt(frame, targets);
     if (!said) return;
     const { roles, ...pair } = said;
-    const old = this.here.find((pose) => pose.source.frame === frame);
+    const old = this.here.find((pose) => this.frameOf(pose) === frame);
     signals.emit("freeze", { frame, playOn: wasPlaying });
     if (old) history.apply(commands.replaceExample({ ...old, ...pair }, roles));
     else {
       const id = commands.freeId(document.examples, "e");
-      history.apply(commands.addExample({ id, source: { motion: motionName, frame }, ...pair }, roles));
+      history.apply(commands.addExample({ id, source: this.sourceAt(frame), ...pair }, roles));
     }
     const instead = old ? `It took the place of the one at frame ${frame}. ` : "";
     notices.say({ title: POSED, text: `${instead}The whole dance followed.`, icon: "poses", actions: [history.undoAction()] });
@@ -94,14 +102,14 @@ export class Poses {
 
   /** Moves a pose to this frame, with the human and the shape that are there. */
   update(id: string): void {
-    const { player, history, motionName } = this.context;
+    const { player, history } = this.context;
     const { frame } = player;
     const pose = this.find(id);
     const controls = this.context.controlsAt(frame);
     const said = controls && this.pairAt(frame, controls);
     if (!pose || !said) return;
     const { roles, ...pair } = said;
-    history.apply(commands.replaceExample({ ...pose, source: { motion: motionName, frame }, ...pair }, roles));
+    history.apply(commands.replaceExample({ ...pose, source: this.sourceAt(frame), ...pair }, roles));
   }
 
   remove(id: string): void {
@@ -109,13 +117,13 @@ export class Poses {
     const pose = this.find(id);
     if (!pose) return;
     history.apply(commands.removeExample(id));
-    const title = `The pose at frame ${pose.source.frame} is gone.`;
+    const title = `The pose at frame ${this.frameOf(pose)} is gone.`;
     notices.say({ title, text: "The dance goes on without it.", icon: "poses", actions: [history.undoAction()] });
   }
 
   goTo(id: string): void {
     const pose = this.find(id);
-    if (pose && this.isHere(pose)) this.visit(pose.source.frame);
+    if (pose && this.isHere(pose)) this.visit(this.frameOf(pose));
   }
 
   visit(frame: number): void {
@@ -129,9 +137,13 @@ export class Poses {
     const now = this.context.player.frame;
     const next =
       direction > 0
-        ? (here.find((pose) => pose.source.frame > now) ?? here[0])
-        : (here.findLast((pose) => pose.source.frame < now) ?? here.at(-1));
+        ? (here.find((pose) => this.frameOf(pose) > now) ?? here[0])
+        : (here.findLast((pose) => this.frameOf(pose) < now) ?? here.at(-1));
     if (next) this.goTo(next.id);
+  }
+
+  private sourceAt(frame: number): Example["source"] {
+    return { motion: this.context.motionName, frame: frame + startOf(this.context.document) };
   }
 
   private find(id: string): Example | undefined {

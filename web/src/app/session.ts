@@ -15,6 +15,7 @@ import { Guesses } from "./guesses";
 import type { History } from "./history";
 import { Jobs } from "./jobs";
 import type { Keeping } from "./keeping";
+import type { MotionEditing } from "./motion-editing";
 import { Motions } from "./motions";
 import { Opening } from "./opening";
 import { Pairing } from "./pairing";
@@ -57,6 +58,8 @@ export class Session {
   readonly actions = createActions(this);
   /** Here once there is something to keep. */
   keeping: Keeping | null = null;
+  /** Here once somebody looked at a motion. */
+  editing: MotionEditing | null = null;
 
   private kept: Promise<Keeping> | undefined;
 

@@ -9,11 +9,42 @@ export function clipName({ motion }: Pick<ProjectDocument, "motion">): string {
   return (motion.files.at(-1) ?? "").replace(/^.*[/\\]/, "");
 }
 
-/** What was said about the motion that plays. */
-export function clipOf(document: Pick<ProjectDocument, "motion" | "clips">): ClipEdits {
+/** What is danced, and how what is said of it is called. */
+export type Danced = Pick<ProjectDocument, "motion" | "clips">;
+
+/** What was said about the motion that plays, in frames of the whole motion as the document has it. */
+export function saidOf(document: Danced): ClipEdits {
   const name = clipName(document);
   const { clips } = document;
   return clips && Object.hasOwn(clips, name) ? clips[name] : NOTHING;
+}
+
+/** The frame of the whole motion with which its dance begins. */
+export const startOf = (document: Danced): number => saidOf(document).cut?.[0] ?? 0;
+
+const OF_DANCE = new WeakMap<ClipEdits, ClipEdits>();
+
+/** The same in frames of the dance, some of which may lie before it or after its end. */
+export function clipOf(document: Danced): ClipEdits {
+  const said = saidOf(document);
+  const known = OF_DANCE.get(said) ?? moved(said, -startOf(document));
+  OF_DANCE.set(said, known);
+  return known;
+}
+
+type Runs = readonly (readonly [number, number])[];
+
+/** All frames so many later. */
+function moved(clip: ClipEdits, by: number): ClipEdits {
+  if (by === 0) return clip;
+  const { pins, contacts, flights } = clip;
+  const later = (runs: Runs): Runs => runs.map(([a, b]) => [a + by, b + by] as const);
+  return {
+    ...clip,
+    ...(pins && { pins: pins.map((pin) => ({ ...pin, frame: pin.frame + by })) }),
+    ...(contacts && { contacts: Object.fromEntries(Object.entries(contacts).map(([id, runs]) => [id, later(runs)])) }),
+    ...(flights && { flights: later(flights) }),
+  };
 }
 
 /** The points that a pin names. */
@@ -27,7 +58,7 @@ export function pinFault({ kind, point, other = point, frame, position }: Pin): 
   return null;
 }
 
-/** A new pin, or another place for the one that has its point, frame and kind. */
+/** A new pin, in frames of the dance as all that follows, or another place for the one that has its point, frame and kind. */
 export const setPin = (pin: Pin): Command =>
   changeClip(({ pins = [], ...clip }) => {
     const others = pins.filter(
@@ -40,7 +71,7 @@ export const removePin = (id: string): Command =>
   changeClip((clip) => (clip.pins?.some((pin) => pin.id === id) ? { ...clip, pins: clip.pins.filter((pin) => pin.id !== id) } : clip));
 
 /** Says when a point stands; null: as in the motion. */
-export const setContacts = (point: string, runs: readonly (readonly [number, number])[] | null): Command =>
+export const setContacts = (point: string, runs: Runs | null): Command =>
   changeClip((clip) => {
     const { [point]: old, ...others } = clip.contacts ?? {};
     if (runs === null) return old === undefined ? clip : { ...clip, contacts: others };
@@ -48,7 +79,7 @@ export const setContacts = (point: string, runs: readonly (readonly [number, num
   });
 
 /** Says when the model flies; null: as in the motion. */
-export const setFlights = (flights: readonly (readonly [number, number])[] | null): Command =>
+export const setFlights = (flights: Runs | null): Command =>
   changeClip(({ flights: _, ...clip }) => (flights === null ? clip : { ...clip, flights: merged(flights) }));
 
 /** Without what was said of a point, in every clip. */
@@ -67,7 +98,7 @@ export function forgetPoint(clips: ProjectDocument["clips"], id: string): Projec
 }
 
 /** In order; runs that touch or overlap are one. */
-export function merged(runs: readonly (readonly [number, number])[]): [number, number][] {
+export function merged(runs: Runs): [number, number][] {
   const out: [number, number][] = [];
   for (const [a, b] of runs.filter(([a, b]) => a < b).toSorted((p, q) => p[0] - q[0])) {
     const last = out.at(-1);
@@ -82,6 +113,6 @@ function changeClip(change: (clip: ClipEdits) => ClipEdits): Command {
     const old = clipOf(document);
     const clip = change(old);
     if (clip === old) return document;
-    return { ...document, clips: { ...document.clips, [clipName(document)]: clip } };
+    return { ...document, clips: { ...document.clips, [clipName(document)]: moved(clip, startOf(document)) } };
   };
 }

@@ -75,7 +75,8 @@ function brokenReference({ points, examples, clips = {} }: ProjectDocument): str
   return null;
 }
 
-function brokenClip({ pins = [], contacts = {}, flights = [] }: ClipEdits, points: ReadonlySet<string>): string | null {
+function brokenClip({ cut, pins = [], contacts = {}, flights = [] }: ClipEdits, points: ReadonlySet<string>): string | null {
+  if (cut && cut[0] >= cut[1]) return `cut goes from ${cut[0]} to ${cut[1]}: its first frame should come before its last.`;
   const ids = new Set<string>();
   for (const [n, pin] of pins.entries()) {
     if (ids.has(pin.id)) return `pins[${n}].id is "${pin.id}", which another pin has already.`;

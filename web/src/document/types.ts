@@ -77,7 +77,7 @@ export interface Settings {
 export interface Pin {
   readonly id: string;
   readonly point: string;
-  /** At 30 fps. */
+  /** Of the whole motion, at 30 fps. */
   readonly frame: number;
   /** "place": it is at `position`; "still": it is where it was a frame before; "level": it is as high as `other`. */
   readonly kind: "place" | "still" | "level";
@@ -86,8 +86,32 @@ export interface Pin {
   readonly other?: string;
 }
 
-/** What was said about one motion on this model, beyond its poses. */
+/** Roles of joints that can be said of a motion whose joints were taken for others. */
+export const SAID_ROLES = ["hips", "head", "left hand", "right hand", "left foot", "right foot"] as const;
+export type SaidRole = (typeof SAID_ROLES)[number];
+
+/** What a motion's file is, where the guess is wrong. What is left out is guessed. */
+export interface FileFacts {
+  readonly metresPerUnit?: number;
+  readonly fps?: number;
+  readonly up?: "+y" | "-y" | "+z" | "-z";
+  /** So many degrees it is turned about the vertical, counter-clockwise from above. */
+  readonly turn?: 90 | 180 | 270;
+  /** Names of joints by role. */
+  readonly joints?: Readonly<Partial<Record<SaidRole, string>>>;
+}
+
+/** What was said about one motion on this model, beyond its poses. Frames are those of the whole motion, however it is cut. */
 export interface ClipEdits {
+  readonly file?: FileFacts;
+  /** The first and the last frame that are danced. */
+  readonly cut?: readonly [number, number];
+  /** How fast it is danced; default 1. */
+  readonly speed?: number;
+  /** Danced as a mirror shows it. */
+  readonly mirror?: boolean;
+  /** It ends as it begins. */
+  readonly loop?: boolean;
   readonly pins?: readonly Pin[];
   /** By point: half-open runs of frames in which it stands, instead of the motion's own. */
   readonly contacts?: Readonly<Record<string, readonly (readonly [number, number])[]>>;

@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1173173325;
+export const ABI = 1949552571;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -155,6 +155,34 @@ export interface BakeRoot {
 
 export const bakeRootRow: Row<BakeRoot> = { doubles: 5, read: (n) => ({ position: [n[0], n[1], n[2]], yaw: n[3], volumeRatio: n[4] }) };
 
+/** What the user says of a motion: instead of what is guessed, and what is danced of it. */
+export interface MotionEdits {
+  /** 0: guessed. */
+  metresPerUnit: number;
+  /** 0: the file's. */
+  fps: number;
+  /** An UpAxis; -1: guessed. */
+  up: number;
+  /** Quarter turns, counter-clockwise from above. */
+  turns: number;
+  mirror: boolean;
+  /** Frames at 30 fps. */
+  first: number;
+  last: number;
+  loop: boolean;
+}
+
+export const writeMotionEdits = (one: MotionEdits): number[] => [
+  one.metresPerUnit,
+  one.fps,
+  one.up,
+  one.turns,
+  Number(one.mirror),
+  one.first,
+  one.last,
+  Number(one.loop),
+];
+
 export interface MotionInfo {
   /** T. */
   frames: number;
@@ -166,11 +194,21 @@ export interface MotionInfo {
   metresPerUnit: number;
   /** Which joints are its feet and its head or hands. */
   told: boolean;
+  /** Before it was cut. */
+  takeFrames: number;
 }
 
 export const motionInfoRow: Row<MotionInfo> = {
-  doubles: 6,
-  read: (n) => ({ frames: n[0], joints: n[1], sourceFrames: n[2], sourceFps: n[3], metresPerUnit: n[4], told: n[5] !== 0 }),
+  doubles: 7,
+  read: (n) => ({
+    frames: n[0],
+    joints: n[1],
+    sourceFrames: n[2],
+    sourceFps: n[3],
+    metresPerUnit: n[4],
+    told: n[5] !== 0,
+    takeFrames: n[6],
+  }),
 };
 
 /** What a joint is; no place of a body has two. */
@@ -391,7 +429,16 @@ export interface RiglessExports {
   bake_root(bake: Handle): Pointer<BakeRoot>;
   motion_new(): Handle;
   motion_delete(motion: Handle): void;
-  motion_read(motion: Handle, text: Pointer<Uint8Array>, bytes: number, skeleton: Pointer<Uint8Array>, skeletonBytes: number): PackedStatus;
+  motion_read(
+    motion: Handle,
+    text: Pointer<Uint8Array>,
+    bytes: number,
+    skeleton: Pointer<Uint8Array>,
+    skeletonBytes: number,
+    said: Pointer<MotionEdits>,
+    joints: Pointer<Uint8Array>,
+    jointsBytes: number,
+  ): PackedStatus;
   motion_refused_skeleton(motion: Handle): number;
   motion_info(motion: Handle): Pointer<MotionInfo>;
   motion_notes(motion: Handle): Pointer<MotionNotes>;
@@ -399,6 +446,8 @@ export interface RiglessExports {
   motion_name_bytes(motion: Handle, joint: number): number;
   motion_place(motion: Handle, joint: number): Pointer<JointPlace>;
   motion_parents(motion: Handle): Pointer<Integers>;
+  motion_left(motion: Handle): Pointer<Uint8Array>;
+  motion_right(motion: Handle): Pointer<Uint8Array>;
   motion_positions(motion: Handle): Pointer<Float32Array>;
   motion_local(motion: Handle): Pointer<Float32Array>;
   motion_yaw(motion: Handle): Pointer<Float32Array>;

@@ -1,10 +1,12 @@
 // From the text of a motion file to a motion that the core holds, and what the page is told of it.
 
-import { jointPlaceRow, motionInfoRow, motionNotesRow } from "./abi";
+import { jointPlaceRow, motionInfoRow, motionNotesRow, writeMotionEdits } from "./abi";
 import type { Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
 import { engineError, motionNotes } from "./messages";
-import type { Motion, MotionInput } from "./types";
+import type { Motion, MotionEdits, MotionInput } from "./types";
+
+const AS_IT_CAME: MotionEdits = { metresPerUnit: 0, fps: 0, up: -1, turns: 0, mirror: false, first: 0, last: 1e9, loop: false, joints: [] };
 
 /** The motion's handle is the caller's to delete. */
 export function readMotion(wasm: RiglessExports, heap: Heap, input: MotionInput): { handle: Handle; motion: Motion } {
@@ -12,9 +14,13 @@ export function readMotion(wasm: RiglessExports, heap: Heap, input: MotionInput)
   const encode = (text: string) => new TextEncoder().encode(text);
   const text = encode(input.text);
   const skeleton = encode(input.skeleton?.text ?? "");
+  const { edits = AS_IT_CAME } = input;
+  const joints = encode(edits.joints.join("\n"));
   try {
-    const status = heap.lend([text, skeleton], ([at, skeletonAt]) =>
-      wasm.motion_read(handle, at, text.length, skeletonAt, skeleton.length),
+    const status = heap.lend([text, skeleton, joints], ([at, skeletonAt, jointsAt]) =>
+      heap.lendAll(writeMotionEdits, [edits], (editsAt) =>
+        wasm.motion_read(handle, at, text.length, skeletonAt, skeleton.length, editsAt, jointsAt, joints.length),
+      ),
     );
     if (status !== 0) {
       const refused = wasm.motion_refused_skeleton(handle) && input.skeleton;
@@ -38,10 +44,12 @@ function describe(wasm: RiglessExports, heap: Heap, handle: Handle, name: string
       const { side, part } = heap.read(jointPlaceRow, wasm.motion_place(handle, joint));
       return { name, parent, side: side === "none" ? null : side, part: part === "none" ? null : part };
     }),
+    takeFrames: info.takeFrames,
     told: info.told,
     positions: heap.floats(wasm.motion_positions(handle), 3 * frames * joints),
     local: heap.floats(wasm.motion_local(handle), 3 * frames * joints),
     yaw: heap.floats(wasm.motion_yaw(handle), frames),
+    stands: { left: heap.bytes(wasm.motion_left(handle), frames), right: heap.bytes(wasm.motion_right(handle), frames) },
     source: { frames: info.sourceFrames, fps: info.sourceFps, metresPerUnit: info.metresPerUnit },
     notes: motionNotes(name, heap.read(motionNotesRow, wasm.motion_notes(handle)), info.sourceFps),
   };

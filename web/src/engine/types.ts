@@ -4,7 +4,7 @@
 
 import type { BodyRole, BodyPart as CorePart, BodySide as CoreSide, FileAxes, FollowThrough, Solve } from "../util/constants";
 import type { SolidCells } from "../util/solid-cells";
-import type { ConstraintInput, ControlInput as CoreControl, Landmark } from "./abi";
+import type { ConstraintInput, ControlInput as CoreControl, Landmark, MotionEdits as CoreEdits } from "./abi";
 
 export { FPS } from "../util/constants";
 
@@ -98,6 +98,13 @@ export interface TextFile {
 /** A motion in any format that the core reads, with the skeleton beside it if its format has one. */
 export interface MotionInput extends TextFile {
   skeleton?: TextFile;
+  edits?: MotionEdits;
+}
+
+/** What is said of a motion: its file where a guess would be wrong, and what of it is danced, and how. */
+export interface MotionEdits extends CoreEdits {
+  /** Names of its hips, head, left and right hand, left and right foot; "": guessed. */
+  joints: readonly string[];
 }
 
 export interface Joint {
@@ -112,6 +119,8 @@ export interface Joint {
 /** A clip resampled to 30 fps. */
 export interface Motion {
   frames: number;
+  /** Of the whole of it, before it was cut. */
+  takeFrames: number;
   joints: Joint[];
   /** Whether its feet and its head or hands can be told. */
   told: boolean;
@@ -121,6 +130,8 @@ export interface Motion {
   local: Float32Array;
   /** T, radians about +Y, unwrapped. */
   yaw: Float32Array;
+  /** T each, 1 while the foot stands. */
+  stands: { left: Uint8Array; right: Uint8Array };
   source: { frames: number; fps: number; metresPerUnit: number };
   /** What the reader worked around, in plain words; usually empty. */
   notes: string[];

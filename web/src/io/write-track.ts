@@ -1,5 +1,6 @@
 // The dance as numbers, for who brings a renderer of their own. docs/project-format.md explains each field.
 
+import { saidOf } from "../document/clips";
 import type { ProjectDocument, Vec3 } from "../document/types";
 import { FPS } from "../engine/types";
 import { toWorld } from "../sync/placement";
@@ -39,7 +40,7 @@ export function trackOf(document: ProjectDocument, model: SolverModel, bake: Bak
     format: "rigless-track",
     version: 1,
     name: document.name,
-    fps: FPS,
+    fps: FPS * (saidOf(document).speed ?? 1),
     frames: performance.frames,
     units: { metresPerUnit: scale },
     points: document.points.map(({ id, name, joint }) => ({ id, name, joint })),

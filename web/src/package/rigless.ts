@@ -130,7 +130,10 @@ async function retarget(engine: Engine, task: RetargetTask, options: RetargetOpt
   const surface = buildSurface(NAME, { positions, triangles: faces }, notes);
   const binding = new Binding(engine);
   const input = motionInput(task.motion);
-  const motion = await binding.takeMotion(input, (step) => ({ ...(signal && { signal }), onProgress: (done) => onProgress?.(step, done) }));
+  const motion = await binding.takeMotion({ motion: { files: [input.name] } }, input, (step) => ({
+    ...(signal && { signal }),
+    onProgress: (done) => onProgress?.(step, done),
+  }));
   const document = await documentOf(engine, task, surface, motion, signal);
   const baked = await bake(binding, document, { model: surface, motion: input }, options);
   const { up, facing } = document.mesh;

@@ -33,7 +33,7 @@ export async function bake(
     onProgress?.(step, 0); // quick steps are told too
     return { ...(signal && { signal }), onProgress: (done) => onProgress?.(step, done) };
   };
-  const motion = await binding.takeMotion(parts.motion, call);
+  const motion = await binding.takeMotion(document, parts.motion, call);
   onMotion?.(motion);
   await binding.take(document, parts, call);
   const performance = await binding.solve(document, call);

@@ -1,12 +1,12 @@
 // The one path from a document to frames: which part of the document each call to the engine depends on. What the engine holds
 // already is not told again.
 
-import { clipOf } from "../document/clips";
+import { type Danced, clipOf } from "../document/clips";
 import type { MeshRef, ProjectDocument } from "../document/types";
 import { EngineError } from "../engine/types";
 import type { CallOptions, Engine, Frame, MeshReport, Motion, MotionInput, Performance, ShapedFrame } from "../engine/types";
 import type { SolverModel } from "./placement";
-import { controlInputs, meshInput, retargetInput, solveOf } from "./translate";
+import { controlInputs, meshInput, motionEdits, retargetInput, solveOf } from "./translate";
 
 /** The options of a call, by what it does in plain words. */
 export type CallFor = (step: string) => CallOptions;
@@ -28,6 +28,8 @@ export interface TakenMesh {
 
 export interface TakenMotion {
   readonly input: MotionInput;
+  /** What was said of it, as text. */
+  readonly said: string;
   readonly motion: Motion;
 }
 
@@ -45,13 +47,16 @@ export class Binding {
     if (!model) return;
     await this.takeMesh(document, model, call);
     await this.takePoints(document, model, call);
-    if (motion) await this.takeMotion(motion, call);
+    if (motion) await this.takeMotion(document, motion, call);
   }
 
-  async takeMotion(input: MotionInput, call: CallFor = QUIETLY): Promise<Motion> {
-    if (this.motion?.input !== input) {
-      const motion = await this.engine.setMotion(input, call("Reading the motion"));
-      this.motion = { input, motion };
+  /** The motion as the document cuts and reads it. */
+  async takeMotion(document: Danced, input: MotionInput, call: CallFor = QUIETLY): Promise<Motion> {
+    const edits = motionEdits(document);
+    const said = JSON.stringify(edits);
+    if (this.motion?.input !== input || this.motion.said !== said) {
+      const motion = await this.engine.setMotion({ ...input, edits }, call("Reading the motion"));
+      this.motion = { input, said, motion };
       this.solved = null;
     }
     return this.motion.motion;

@@ -1,10 +1,19 @@
 // What a document asks of the engine, part by part: each setting, pin and run of the document is translated here and nowhere
 // else. Pure.
 
-import { clipOf } from "../document/clips";
+import { type Danced, clipOf, saidOf } from "../document/clips";
 import { pointToStage, toStage } from "../document/stage-transform";
-import { type ClipEdits, DEFAULT_FOLLOW, type MeshRef, type Pin, type ProjectDocument } from "../document/types";
-import type { BoundMeshInput, ConstraintInput, ContactInput, ControlInput, Motion, RetargetInput, Solve } from "../engine/types";
+import { type ClipEdits, DEFAULT_FOLLOW, type MeshRef, type Pin, type ProjectDocument, SAID_ROLES } from "../document/types";
+import type {
+  BoundMeshInput,
+  ConstraintInput,
+  ContactInput,
+  ControlInput,
+  Motion,
+  MotionEdits,
+  RetargetInput,
+  Solve,
+} from "../engine/types";
 import { DEFAULT_RADIUS, STAGE_HEIGHT } from "../util/constants";
 import { exampleJoints, pointJoints } from "./pairing";
 import { type SolverModel, stageFor } from "./placement";
@@ -25,6 +34,25 @@ export function controlInputs(model: SolverModel, document: Pick<ProjectDocument
   }));
 }
 
+/** As UpAxis counts them. */
+const UPS: readonly (string | undefined)[] = ["+y", "+z", "-y", "-z"];
+
+export function motionEdits(document: Danced): MotionEdits {
+  const { file = {}, cut = [0, 1e9], mirror = false, loop = false } = saidOf(document);
+  const { metresPerUnit = 0, fps = 0, up, turn = 0, joints = {} } = file;
+  return {
+    metresPerUnit,
+    fps,
+    up: UPS.indexOf(up),
+    turns: turn / 90,
+    mirror,
+    first: cut[0],
+    last: cut[1],
+    loop,
+    joints: SAID_ROLES.map((role) => joints[role] ?? ""),
+  };
+}
+
 export function retargetInput(model: SolverModel, document: ProjectDocument, motion: Pick<Motion, "joints" | "frames">): RetargetInput {
   const { smoothness, volume, energy, groundContact, inPlace, symmetry } = document.settings;
   const clip = clipOf(document);
@@ -43,14 +71,19 @@ export function retargetInput(model: SolverModel, document: ProjectDocument, mot
     follow: document.points.map(({ joint, follow }) => (joint === null ? (follow ?? DEFAULT_FOLLOW) : "stiff")),
     constraints: pinsWithin(clip, motion.frames).map((pin) => constraintOf(model, document, pin)),
     contacts: contactInputs(document, clip, motion.frames),
-    flights: clip.flights ? within(clip.flights, motion.frames - 1) : null,
+    flights: clip.flights
+      ? within(
+          clip.flights.filter(([a]) => a >= 0),
+          motion.frames - 1,
+        )
+      : null,
     mirror: symmetry ? pointPartners(document.points) : null,
   };
 }
 
-/** The pins that the solver is asked to keep, in its order. A clip may be shorter than the one that they were made on. */
+/** The pins that the solver is asked to keep, in its order. A clip may be shorter than the one that they were made on, or cut. */
 export function pinsWithin({ pins = [] }: ClipEdits, frames: number): readonly Pin[] {
-  return pins.filter(({ frame }) => frame < frames);
+  return pins.filter(({ frame, kind }) => frame >= (kind === "still" ? 1 : 0) && frame < frames);
 }
 
 function constraintOf(model: SolverModel, document: ProjectDocument, { kind, point, other, frame, position }: Pin): ConstraintInput {
@@ -70,5 +103,5 @@ function contactInputs({ points }: Pick<ProjectDocument, "points">, { contacts =
 
 /** Runs as far as they lie in a clip whose last frame may be `end`. */
 function within(runs: readonly (readonly [number, number])[], end: number): [number, number][] {
-  return runs.map(([a, b]): [number, number] => [a, Math.min(b, end)]).filter(([a, b]) => a < b);
+  return runs.map(([a, b]): [number, number] => [Math.max(a, 0), Math.min(b, end)]).filter(([a, b]) => a < b);
 }

@@ -58,7 +58,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   /** `document` tells the present one; call `sync` after each change. */
   constructor(
     private readonly document: () => ProjectDocument,
-    private readonly createEngine: () => Engine,
+    readonly createEngine: () => Engine,
   ) {
     super();
     this.binding = new Binding(createEngine());
@@ -157,7 +157,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
         await this.recovering(async () => {
           const parts = this.partsOf(document);
           if (!parts.motion) throw new EngineError("bad_motion", `${document.motion.files.at(-1)} is not there.`);
-          const motion = await this.binding.takeMotion(parts.motion, quiet);
+          const motion = await this.binding.takeMotion(document, parts.motion, quiet);
           if (!fits(document, motion)) return;
           await this.binding.take(document, parts, quiet);
           const { frames: count } = await this.binding.solve(document, quiet);
@@ -260,7 +260,7 @@ export class Workspace extends Emitter<WorkspaceEvents> {
       this.performance = null;
       this.emit("mesh", this.report);
     }
-    if (motion && told.motion?.input !== motion.input) {
+    if (motion && told.motion !== motion) {
       this.motion = motion.motion;
       this.emit("motion", this.motion);
     }

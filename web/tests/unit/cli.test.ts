@@ -130,7 +130,7 @@ describe("rigless bake", () => {
 
   it("makes one file of several motions, at the asked pace, and tells a machine of it", async () => {
     const motions = ["kick", "folk"].map((name) => join(web, `assets/motions/${name}.bvh`));
-    const run = await rigless("bake", cactus, ...motions, "-q", "--json", "--out", "two.glb", "--in-place", "--fps", "24", "--loop");
+    const run = await rigless("bake", cactus, ...motions, "-q", "--json", "--out", "two.glb", "--in-place", "--fps", "24");
     expect(run.code, run.stderr).toBe(0);
     const glb = bytesOf("two.glb");
     const report = JSON.parse(run.stdout);
@@ -147,6 +147,41 @@ describe("rigless bake", () => {
       expect(24 * max[0]).toBeCloseTo(count - 1, 4);
     });
   });
+
+  it("cuts, speeds up, mirrors and loops motions, as the project says and over it", async () => {
+    const said = { "hop.bvh": { cut: [20, 60], speed: 2, mirror: true } };
+    const project = JSON.parse(readFileSync(cactus, "utf8"));
+    for (const file of ["cactus/cactus.glb", "motions/hop.bvh"]) copyFileSync(join(web, "assets", file), join(folder, basename(file)));
+    writeFileSync(join(folder, "said.json"), JSON.stringify({ ...project, motion: { files: ["hop.bvh"] }, clips: said }));
+    const dance = async (input: string, ...args: string[]) => {
+      const run = await rigless("bake", input, ...args, "--track", "track.json", "--out", "dance.glb", "-q", "--json");
+      expect(run.code, run.stderr).toBe(0);
+      const { clips, warnings } = JSON.parse(run.stdout);
+      return { clip: clips[0], warnings, track: trackOf("track.json") };
+    };
+    const own = await dance("said.json");
+    expect(own.track).toMatchObject({ fps: 60, frames: 41 });
+    expect(own.clip).toMatchObject({ frames: 21, seconds: 40 / 60 });
+    const over = await dance(cactus, "--from", "0.667", "--to", "2", "--speed", "2", "--mirror");
+    expect(over.track).toEqual({ ...own.track, source: over.track.source });
+    const loop = await dance(cactus, "--loop");
+    expect(loop.warnings).toContain("hop.bvh loops best from 0.40 s to 2.30 s, and is cut there.");
+    expect(loop.track.frames).toBe(58);
+    const [first, last] = [loop.track.root[0], loop.track.root[57]];
+    expect(last[1]).toBeCloseTo(first[1], 4);
+    const asCut = await dance(cactus, "--loop", "--to", "1");
+    expect(asCut.track.frames).toBe(31);
+    for (const [args, problem] of [
+      [["--speed", "9"], '--speed should be a number from 0.25 to 4, but it is "9".'],
+      [["--from", "soon"], '--from should be a number of seconds, but it is "soon".'],
+      [["--from", "2", "--to", "1"], "--to should be later than --from, but they are 1 and 2."],
+    ] as const) {
+      const run = await rigless("bake", cactus, ...args, "--track", "none.json");
+      expect([run.code, run.stderr.includes(problem)], run.stderr).toEqual([2, true]);
+    }
+    const late = await rigless("bake", cactus, "--from", "60", "--track", "none.json");
+    expect([late.code, late.stderr]).toEqual([1, expect.stringContaining("hop.bvh lasts 3.87 s, so its dance cannot begin at 60.00 s.")]);
+  }, 120_000);
 
   it("writes to standard output as -", async () => {
     const bytes = await new Promise<Buffer>((resolve) => {

@@ -38,6 +38,7 @@ it("the page's project is one, says everything there is to say, and each field i
     ...Object.keys($defs.point.properties).map((key) => `points[].${key}`),
     ...Object.keys($defs.example.properties).map((key) => `examples[].${key}`),
     ...Object.keys($defs.clip.properties).map((key) => `clips.*.${key}`),
+    ...Object.keys($defs.file.properties).map((key) => `clips.*.file.${key}`),
     ...Object.keys($defs.pin.properties).map((key) => `clips.*.pins[].${key}`),
   ];
   expect(known.filter((field) => !said.has(field))).toEqual([]);
@@ -58,6 +59,8 @@ it("the page's track has exactly the fields that are written", async () => {
   const track = trackOf(document, model, {
     motion: {
       frames: 2,
+      takeFrames: 86,
+      stands: { left: new Uint8Array(2), right: new Uint8Array(2) },
       joints: [],
       positions: new Float32Array(0),
       local: new Float32Array(0),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "rigless/motion/clip.h"
@@ -110,8 +111,8 @@ inline std::vector<Vec3<double>> bvh_rest(const BvhHierarchy& hierarchy, const K
 
 // The world positions of the joints that the clip keeps; the root's rotation is that of the hips.
 template <class S>
-void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const Skeleton& skeleton, Clip<S>& clip,
-                   ParseNotes& notes) {
+void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const Skeleton& skeleton,
+                   std::string_view hips, Clip<S>& clip, ParseNotes& notes) {
   const std::size_t joints = skeleton.names.size();
   notes.radians = bvh_in_radians(hierarchy, motion);
   const BvhReading reading = {bvh_positions_stand_for_offset(hierarchy, motion),
@@ -121,7 +122,7 @@ void pose_bvh_clip(const BvhHierarchy& hierarchy, const BvhMotion& motion, const
   std::vector<Vec3<double>> positions(joints);
   std::vector<Mat3<double>> rotations(joints);
   pose_bvh(hierarchy, motion.values.data(), reading, positions, rotations);
-  const KeptJoints kept = joints_from_hips(skeleton, positions);
+  const KeptJoints kept = joints_from_hips(skeleton, positions, hips);
   clip.skeleton = kept_skeleton(skeleton, kept);
   notes.joints_folded = kept.above;
   notes.rest = bvh_rest(hierarchy, kept, rotations);

@@ -19,10 +19,14 @@ namespace rigless::detail {
 template <class S>
 std::int32_t leave_out_pose_in_front(Clip<S>& clip, Span<const Vec3<double>> rest);
 
-// Turns a clip whose body begins with its back to +Z, so that it begins facing +Z; false, and nothing changes, for
-// others. Does not allocate.
+// By how much a clip is to be turned about Y whose body begins with its back to +Z, so that it begins facing +Z; 0 for
+// others. Radians. No allocation.
 template <class S>
-bool turn_to_viewer(Clip<S>& clip, const JointRoles& roles);
+double turn_to_viewer(const Clip<S>& clip, const JointRoles& roles);
+
+// Turns a clip about Y. Radians. Does not allocate.
+template <class S>
+void turn_about_y(Clip<S>& clip, double angle);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -67,17 +71,21 @@ std::int32_t leave_out_pose_in_front(Clip<S>& clip, Span<const Vec3<double>> res
 }
 
 template <class S>
-bool turn_to_viewer(Clip<S>& clip, const JointRoles& roles) {
+double turn_to_viewer(const Clip<S>& clip, const JointRoles& roles) {
   constexpr double side = 1.9;  // radians: a little more than a quarter turn
-  if (!roles.known() || clip.frames == 0) return false;
+  if (!roles.known() || clip.frames == 0) return 0;
   const Eigen::Quaternion<S>& q = clip.root_rotation[0];
   const double yaw = std::remainder(2 * std::atan2(static_cast<double>(q.y()), static_cast<double>(q.w())),
                                     2 * 3.14159265358979323846);
-  if (!(std::abs(yaw) > side)) return false;
-  const Eigen::Quaternion<S> turn(Eigen::AngleAxis<S>(static_cast<S>(-yaw), Vec3<S>::UnitY()));
+  return std::abs(yaw) > side ? -yaw : 0;
+}
+
+template <class S>
+void turn_about_y(Clip<S>& clip, double angle) {
+  if (angle == 0) return;
+  const Eigen::Quaternion<S> turn(Eigen::AngleAxis<S>(static_cast<S>(angle), Vec3<S>::UnitY()));
   for (Vec3<S>& p : clip.positions) p = turn * p;
   for (Eigen::Quaternion<S>& r : clip.root_rotation) r = (turn * r).normalized();
-  return true;
 }
 
 }  // namespace rigless::detail

@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "rigless/math/types.h"
 #include "rigless/motion/clip.h"
 #include "rigless/motion/detail/body_tree.h"
+#include "rigless/motion/detail/corrections.h"
 #include "rigless/motion/detail/role_finder.h"
 #include "rigless/motion/detail/skeleton_tree.h"
 
@@ -23,15 +25,18 @@ struct KeptJoints {
 };
 
 // All joints, unless the joints of the body can be told and the hips, which carry more than half of all, are not the
-// root. `pose`: J, joint positions of any frame. Allocates.
-inline KeptJoints joints_from_hips(const Skeleton& skeleton, const std::vector<Vec3<double>>& pose) {
+// root. `pose`: J, joint positions of any frame; `said`: what the hips are called, or empty. Allocates.
+inline KeptJoints joints_from_hips(const Skeleton& skeleton, const std::vector<Vec3<double>>& pose,
+                                   std::string_view said) {
   const SkeletonTree tree(skeleton);
   const JointRoles roles = RoleFinder(skeleton).find(Poses(pose, pose.size()));
-  const bool fold = roles.known() && 2 * tree.size(roles.root) > tree.joints();
+  const std::int32_t own = said.empty() ? -1 : joint_named(skeleton, said);
+  const std::int32_t hips = own < 0 ? roles.root : own;
+  const bool fold = own >= 0 || (roles.known() && 2 * tree.size(hips) > tree.joints());
   KeptJoints kept;
   for (std::int32_t j = 0; j < tree.joints(); ++j) {
-    if (!fold || tree.within(j, roles.root)) kept.joints.push_back(j);
-    if (fold && tree.below(roles.root, j)) ++kept.above;
+    if (!fold || tree.within(j, hips)) kept.joints.push_back(j);
+    if (fold && tree.below(hips, j)) ++kept.above;
   }
   return kept;
 }

@@ -20,9 +20,10 @@ std::int32_t resampled_frames(const Clip<S>& clip, S fps);
 // Positions go along Catmull-Rom curves (straight pieces between frames would show as jerks when a slow clip is sped
 // up), root rotations along the shortest arc. The first frame stays the first; a frame that falls on a source frame
 // equals it. `fps` > 0. Allocates the result, which may be `clip` itself. Errors: no_frames; out_of_memory: more than
-// 2^26 positions would come out. `out` then keeps what it had.
+// 2^26 positions would come out. `out` then keeps what it had. `first`, `last`: of the frames at the new rate those
+// that are wanted, as far as there are so many.
 template <class S>
-Status resample(const Clip<S>& clip, S fps, Clip<S>& out);
+Status resample(const Clip<S>& clip, S fps, Clip<S>& out, std::int32_t first = 0, std::int32_t last = 1 << 30);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -35,10 +36,12 @@ std::int32_t resampled_frames(const Clip<S>& clip, S fps) {
 }
 
 template <class S>
-Status resample(const Clip<S>& clip, S fps, Clip<S>& out) {
+Status resample(const Clip<S>& clip, S fps, Clip<S>& out, std::int32_t first, std::int32_t last) {
   if (clip.frames == 0) return {Error::no_frames, -1};
   const std::size_t joints = clip.skeleton.names.size();
-  const std::int32_t frames = resampled_frames(clip, fps);
+  last = std::clamp(last, 0, resampled_frames(clip, fps) - 1);
+  first = std::clamp(first, 0, last);
+  const std::int32_t frames = last - first + 1;
   if (static_cast<std::size_t>(frames) > (std::size_t{1} << 26) / joints) return {Error::out_of_memory, -1};
 
   Clip<S> result;
@@ -49,7 +52,7 @@ Status resample(const Clip<S>& clip, S fps, Clip<S>& out) {
   result.positions.reserve(static_cast<std::size_t>(frames) * joints);
   result.root_rotation.reserve(static_cast<std::size_t>(frames));
   const double step = static_cast<double>(clip.fps) / static_cast<double>(fps);
-  for (std::int32_t f = 0; f < frames; ++f) {
+  for (std::int32_t f = first; f <= last; ++f) {
     const double time = std::min(f * step, static_cast<double>(clip.frames - 1));
     const std::int32_t b = static_cast<std::int32_t>(time);
     const std::int32_t a = std::max(b - 1, 0);

@@ -9,6 +9,7 @@
 #include "rigless/retarget/constraints.h"
 #include "rigless/retarget/detail/foot_lock.h"
 #include "rigless/retarget/detail/root_motion.h"
+#include "rigless/scene/detail/loop.h"
 #include "rigless/scene/detail/slip.h"
 #include "rigless/scene/detail/standing_controls.h"
 
@@ -48,46 +49,74 @@ class Ground {
   const std::vector<Flight>& flights() const { return flights_; }
 
   // The tracks of the standing controls go into the world, get the root motion that keeps them where they stand and are
-  // locked there; what the lock moved goes back into the body-local tracks. The height of the root is left behind: only
-  // the deformed surface knows what touches the ground.
+  // locked there; what the lock moved goes back into the body-local tracks. Of a loop all this is done with some of the
+  // laps before and after it. The height of the root is left behind: only the deformed surface knows what touches the
+  // ground.
   // `root`: T, where the body's origin goes; its height as the controls alone can tell.
   // On failure `p` is half done. Allocates. Errors: those of root_from_contacts() and lock_feet().
   Status stand(const Constraints<S>& constraints, bool lock, Performance<S>& p, std::vector<Vec3<S>>& root) const {
-    const auto frames = to_size(p.frames);
     const std::size_t feet = standing_.control.size();
+    const LapMargin laps = {p.frames, motion_->loop_period, longest_stance};
+    const std::size_t before = to_size(laps.margin()), own = to_size(p.frames) * feet;
+    const S lap_turn = turn_of_lap(p.yaw);
+    const std::vector<std::uint8_t> pinned = pins(constraints);
     std::vector<Vec3<S>> world, way;
-    world.reserve(frames * feet);
-    for (std::size_t f = 0; f < frames; ++f) {
-      way.push_back(motion_->clip.at(static_cast<std::int32_t>(f), 0));
+    std::vector<std::uint8_t> stands, held;
+    for (std::int32_t f = -laps.margin(); f < p.frames + laps.margin(); ++f) {
+      const std::int32_t g = frame_around(f, p.frames, laps.period), to = std::max(g > 0 ? g : p.frames - 1, 1);
+      const S turn = f == g ? S(0) : static_cast<S>((f - g) / laps.period) * lap_turn;
+      way.push_back(way.empty() ? Vec3<S>(Vec3<S>::Zero()) : way.back());
+      if (p.frames > 1) {
+        const Vec3<S> step = motion_->clip.at(to, 0) - motion_->clip.at(to - 1, 0);
+        way.back() += from_body<S>(step, Vec3<S>::Zero(), g > 0 ? turn : turn - lap_turn);
+      }
       for (std::size_t k = 0; k < feet; ++k) {
-        world.push_back(from_body<S>(p.controls[track_index(f, k)], Vec3<S>::Zero(), p.yaw[f]));
+        const std::size_t i = to_size(g) * feet + k;
+        const Vec3<S>& local = p.controls[track_index(to_size(g), k)];
+        world.push_back(from_body<S>(local, Vec3<S>::Zero(), nth(p.yaw, g) + turn));
+        stands.push_back(standing_.labels[i]);
+        if (!pinned.empty()) held.push_back(pinned[i]);
       }
     }
     RootMotionOptions<S> moving;
     moving.fps = static_cast<S>(performance_fps);
-    Status status = root_from_contacts<S>(world, standing_.labels, standing_.ground, {way, travel_scale}, moving, root);
+    std::vector<Vec3<S>> wound;
+    Status status = root_from_contacts<S>(world, stands, standing_.ground, {way, travel_scale}, moving, wound);
     if (!status.ok()) return status;
-    for (std::size_t i = 0; i < world.size(); ++i) world[i] += root[i / feet];
+    const Vec3<S> begin = before > 0 ? Vec3<S>(wound[before].x(), 0, wound[before].z()) : Vec3<S>(Vec3<S>::Zero());
+    for (Vec3<S>& r : wound) r -= begin;
+    for (std::size_t i = 0; i < world.size(); ++i) world[i] += wound[i / feet];
+    const auto first = wound.begin() + static_cast<std::ptrdiff_t>(before);
+    root.assign(first, first + p.frames);
     for (const Vec3<S>& r : root) p.travel.push_back({r.x(), r.z()});
 
     const auto slip = [&] {
-      return measure_slip<S>(world, standing_.labels, static_cast<std::int32_t>(feet), moving.fps);
+      return measure_slip<S>({world.data() + before * feet, own}, standing_.labels, static_cast<std::int32_t>(feet),
+                             moving.fps);
     };
     p.slip_before = p.slip_after = slip();
     if (!lock) return {};
     FootLockOptions<S> holding;
     holding.fps = moving.fps;
-    status = lock_feet<S>(world, standing_.labels, pins(constraints), standing_.ground, holding);
+    status = lock_feet<S>(world, stands, held, standing_.ground, holding);
     if (!status.ok()) return status;
     p.slip_after = slip();
-    for (std::size_t i = 0; i < world.size(); ++i) {
+    for (std::size_t i = 0; i < own; ++i) {
       const std::size_t f = i / feet;
-      p.controls[track_index(f, i % feet)] = to_body<S>(world[i], root[f], p.yaw[f]);
+      p.controls[track_index(f, i % feet)] = to_body<S>(world[before * feet + i], root[f], p.yaw[f]);
     }
     return {};
   }
 
  private:
+  static constexpr std::int32_t longest_stance = 60;  // frames: a loop's stances are whole on both sides of its seam
+
+  // What a loop turns until it begins again.
+  S turn_of_lap(const std::vector<S>& yaw) const {
+    const bool twice = motion_->loop_period < motion_->clip.frames || yaw.size() < 2;  // the last frame is the first
+    return yaw.back() - yaw.front() + (twice ? S(0) : yaw.back() - yaw[yaw.size() - 2]);
+  }
+
   std::size_t track_index(std::size_t frame, std::size_t foot) const {
     return frame * controls_ + to_size(standing_.control[foot]);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rigless/math/detail/macros.h"
+#include "rigless/math/detail/smooth_step.h"
 #include "rigless/math/span.h"
 #include "rigless/math/types.h"
 #include "rigless/retarget/constraints.h"
@@ -50,8 +51,8 @@ inline std::int32_t frame_around(std::int32_t f, std::int32_t frames, std::int32
 
 // A loop is solved with some frames of the laps before and after it, so that its ends meet as its other frames do.
 struct LapMargin {
-  static constexpr std::int32_t most = 15;  // frames: how far the smoothing of a track reaches
   std::int32_t frames = 0, period = 0;
+  std::int32_t most = 15;  // frames: how far the smoothing of a track reaches
 
   std::int32_t margin() const { return std::min(most, period); }
 
@@ -71,6 +72,18 @@ struct LapMargin {
     for (Constraint<S>& c : constraints) {
       c.at.frame += margin();
       if (c.from) c.from->frame += margin();
+    }
+  }
+
+  // Leads the end of tracks, T x C, to their beginning where the last frame is the first again. No allocation.
+  template <class S>
+  void close(std::vector<Vec3<S>>& tracks) const {
+    const std::size_t controls = tracks.size() / to_size(frames), end = tracks.size() - controls;
+    const std::int32_t lead = period == frames - 1 ? std::min(most, period / 2) : 0;
+    for (std::size_t c = 0; c < controls; ++c) {
+      const Vec3<S> gap = tracks[c] - tracks[end + c];
+      for (std::int32_t k = 0; k < lead; ++k)
+        tracks[end + c - to_size(k) * controls] += smooth_step(static_cast<S>(lead - k) / static_cast<S>(lead)) * gap;
     }
   }
 

@@ -100,7 +100,9 @@ export class ContactRows extends SessionElement {
         @pointerdown=${(event: PointerEvent) => this.draw(event, row)} @pointermove=${this.move}
         @pointerup=${this.release} @pointercancel=${this.release}>
         ${row.runs.map((run, at) => this.renderBar(row, run, at, last, on))}
-        ${session.pins.here.filter((pin) => pin.point === row.id).map((pin) => this.renderFlag(pin, last))}
+        ${session.pins.here
+          .filter(({ point, frame }) => point === row.id && frame >= 0 && frame <= last)
+          .map((pin) => this.renderFlag(pin, last))}
       </div></div>`;
   }
 
@@ -109,7 +111,9 @@ export class ContactRows extends SessionElement {
       @click=${() => this.session.contacts.reset(id)}>${icon("undo")}</button>`;
   }
 
-  private renderBar(row: ContactRow, [a, b]: Run, at: number, last: number, on: boolean) {
+  private renderBar(row: ContactRow, [from, b]: Run, at: number, last: number, on: boolean) {
+    const a = Math.max(0, from);
+    if (b <= a || a > last) return nothing; // cut off
     const where = row.id === FLIGHTS ? `In the air between ${a} and ${b}` : `On the ground from ${a} to ${b - 1}`;
     const how = "Arrows move its end, with Shift its beginning; Delete takes it away.";
     const grab = (grip: Grip) => (event: PointerEvent) => this.grab(event, row, at, grip);
@@ -125,7 +129,7 @@ export class ContactRows extends SessionElement {
     const on = pins.chosen === pin.id || pin.frame === player.frame;
     const { flag: says, sign } = PIN_KINDS[pin.kind];
     const chosen = pins.chosen === pin.id;
-    return html`<button class="flag ${on ? "on" : ""}" style="--f:${(100 * Math.min(pin.frame, last)) / last}%" aria-pressed=${chosen}
+    return html`<button class="flag ${on ? "on" : ""}" style="--f:${(100 * pin.frame) / last}%" aria-pressed=${chosen}
       title="Pin at ${pin.frame}: ${says}" aria-label="Pin at frame ${pin.frame}: ${says}"
       @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => pins.choose(chosen ? null : pin.id)}
       @keydown=${(event: KeyboardEvent) => this.flagKey(event, pin)}>

@@ -82,10 +82,6 @@ export class ExportPanel extends SessionElement {
         ["Travelling", !wish.inPlace, () => exporting.want({ inPlace: false })],
         ["In place", wish.inPlace, () => exporting.want({ inPlace: true })],
       ])}
-      ${row("Ends", [
-        ["As danced", !wish.loop, () => exporting.want({ loop: false })],
-        ["Closed to a loop", wish.loop, () => exporting.want({ loop: true })],
-      ])}
       ${row(
         "Frames",
         PACES.map((fps) => [`${fps} fps`, wish.fps === fps, () => exporting.want({ fps })]),

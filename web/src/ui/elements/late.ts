@@ -10,3 +10,4 @@ import "./panel-motion";
 import "./panel-points";
 import "./panel-poses";
 import "./prompt";
+import "./take";

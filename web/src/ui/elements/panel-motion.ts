@@ -1,14 +1,24 @@
-import { html } from "lit";
+import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { SessionElement } from "../element";
 import { base, panel } from "../styles";
 import { count, figure, seconds } from "../../util/words";
+import "./edit-motion";
 import { gallery, galleryStyle } from "./gallery";
 
 @customElement("rigless-panel-motion")
 export class MotionPanel extends SessionElement {
   protected readonly topics = ["document", "solve", "coming"] as const;
-  static override styles = [base, panel, galleryStyle];
+  static override styles = [
+    base,
+    panel,
+    galleryStyle,
+    css`
+      /* what can be done to the motion is seen without scrolling */
+      @media (min-width: 720px) { .gallery { max-height: 224px; overflow-y: auto; scrollbar-width: thin; } }
+      .more { margin-top: 0; }
+    `,
+  ];
 
   protected override render() {
     const { session } = this;
@@ -33,9 +43,10 @@ export class MotionPanel extends SessionElement {
       )}
       ${
         motion
-          ? html`<p class="note">${count(motion.frames, "frame")} at 30 a second, ${seconds(motion.frames / 30)};
+          ? html`<p class="note">${count(motion.takeFrames, "frame")} at 30 a second, ${seconds(motion.takeFrames / 30)};
         ${count(motion.joints.length, "joint")}.
-        ${Math.abs(motion.source.fps - 30) > 0.01 ? `The file has ${figure(motion.source.fps)} a second.` : ""}</p>`
+        ${Math.abs(motion.source.fps - 30) > 0.01 ? `The file has ${figure(motion.source.fps)} a second.` : ""}</p>
+        <rigless-edit-motion .session=${session}></rigless-edit-motion>`
           : ""
       }
     </section>`;

@@ -41,19 +41,20 @@ export class PosesPanel extends SessionElement {
   private renderPose(pose: Example) {
     const { session } = this;
     const here = session.poses.isHere(pose);
-    const now = here && pose.source.frame === session.player.frame;
+    const frame = here ? session.poses.frameOf(pose) : pose.source.frame;
+    const now = here && frame === session.player.frame;
     const picture = session.thumbnails.of(pose);
     return html`<li class="row ${now ? "now" : ""}">
       <button class="item" ?disabled=${!here} @click=${() => session.poses.goTo(pose.id)}>
         <span class="thumb">${picture ? html`<img src=${picture} alt="" />` : ""}</span>
-        <span>Frame ${pose.source.frame}<small>${stem(pose.source.motion)}</small></span></button>
+        <span>Frame ${frame}<small>${stem(pose.source.motion)}</small></span></button>
       ${
         here && !now
           ? html`<button class="btn update" title="Take the shape at frame ${session.player.frame} instead"
               @click=${() => session.poses.update(pose.id)}>Update</button>`
           : nothing
       }
-      <button class="btn icon" aria-label="Delete the pose at frame ${pose.source.frame}"
+      <button class="btn icon" aria-label="Delete the pose at frame ${frame}"
         @click=${() => session.poses.remove(pose.id)}>${icon("bin")}</button>
     </li>`;
   }

@@ -10,7 +10,7 @@ import "./coverage-strip";
 /** Ruler, poses as cels on diamonds, and who stands on the ground when. */
 @customElement("rigless-timeline")
 export class Timeline extends SessionElement {
-  protected readonly topics = ["frame", "play", "document", "solve", "thumbnails", "coverage"] as const;
+  protected readonly topics = ["frame", "play", "document", "solve", "thumbnails", "coverage", "panel"] as const;
   @state() private width = 1000;
   private readonly observer = new ResizeObserver(([entry]) => {
     if (entry) this.width = entry.contentRect.width;
@@ -85,7 +85,8 @@ export class Timeline extends SessionElement {
   protected override render() {
     const { player } = this.session;
     const last = Math.max(1, player.frames - 1);
-    return html`<div class="tl">
+    return html`${this.session.selection.panel === "motion" ? html`<rigless-take .session=${this.session}></rigless-take>` : nothing}
+      <div class="tl">
       <span class="tl-label"></span>${this.renderRuler(last)}
       <span class="tl-label">Poses</span>${this.renderPoses(last)}
       <rigless-contact-rows .session=${this.session}></rigless-contact-rows>
@@ -118,11 +119,11 @@ export class Timeline extends SessionElement {
       )}
       ${session.poses.mirrored.map(
         ({ pose, frame }) => html`<button class="pose mirrored" style=${at(frame)}
-          title="Mirror image of the pose at ${pose.source.frame}" aria-label="Mirrored pose at frame ${frame}"
+          title="Mirror image of the pose at ${session.poses.frameOf(pose)}" aria-label="Mirrored pose at frame ${frame}"
           @click=${() => session.poses.visit(frame)}>${this.renderThumbnail(pose)}</button>`,
       )}
       ${poses.map((pose) => {
-        const { frame } = pose.source;
+        const frame = session.poses.frameOf(pose);
         return html`<button class="pose ${frame === now ? "sel" : ""}" style=${at(frame)}
           aria-label="Pose at frame ${frame}" aria-current=${frame === now ? "true" : nothing}
           @click=${() => session.poses.goTo(pose.id)}>${this.renderThumbnail(pose)}</button>`;
