@@ -5,10 +5,15 @@ import type { WorkerPort } from "./client";
 import type { Engine } from "./types";
 
 export function createBrowserEngine(): Engine {
-  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "rigless" });
-  return new EngineClient(worker as WorkerPort, fetchBytes(new URL("./rigless.wasm", import.meta.url)), () =>
+  const name = `rigless ${Math.random()}`;
+  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name });
+  const client = new EngineClient(worker as WorkerPort, fetchBytes(new URL("./rigless.wasm", import.meta.url)), () =>
     fetchBytes(new URL("./shape-analysis.wasm", import.meta.url)),
   );
+  // A browser that needs memory may end a worker without a word. By its first message it holds the lock of its name.
+  const watch = () => void navigator.locks?.request(name, () => client.lose("The engine stopped: the browser ended it."));
+  worker.addEventListener("message", watch, { once: true });
+  return client;
 }
 
 async function fetchBytes(url: URL): Promise<ArrayBuffer> {

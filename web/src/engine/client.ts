@@ -48,11 +48,11 @@ export class EngineClient implements Engine {
   ) {
     this.#port = port;
     port.onmessage = (event) => this.#hear(event.data);
-    port.onerror = (event) => this.#lose(`The engine stopped: ${event.message || "its worker could not run"}.`);
-    port.onmessageerror = () => this.#lose("The engine stopped: its answer could not be read.");
+    port.onerror = (event) => this.lose(`The engine stopped: ${event.message || "its worker could not run"}.`);
+    port.onmessageerror = () => this.lose("The engine stopped: its answer could not be read.");
     Promise.resolve(wasm).then(
       (bytes) => this.#post({ type: "load", bytes }, [bytes]),
-      (error: unknown) => this.#lose(`The engine could not be loaded: ${String(error)}.`),
+      (error: unknown) => this.lose(`The engine could not be loaded: ${String(error)}.`),
     );
   }
 
@@ -90,7 +90,7 @@ export class EngineClient implements Engine {
   }
 
   close(): void {
-    this.#lose("The engine was closed.");
+    this.lose("The engine was closed.");
   }
 
   #frames(order: ArrayLike<number>, shaped: boolean, onFrame: NonNullable<Pending["onFrame"]>, options?: CallOptions): Promise<void> {
@@ -125,7 +125,7 @@ export class EngineClient implements Engine {
 
   #hear(reply: Reply): void {
     if (reply.type === "lost") {
-      this.#lose(`The engine stopped: ${reply.message}.`);
+      this.lose(`The engine stopped: ${reply.message}.`);
       return;
     }
     const call = this.#pending.get(reply.id);
@@ -147,8 +147,8 @@ export class EngineClient implements Engine {
     }
   }
 
-  /** Nothing more will come: every pending call, and every later one, rejects. */
-  #lose(message: string): void {
+  /** Nothing more will come: every pending call, and every later one, rejects with engine_lost. */
+  lose(message: string): void {
     if (this.#lost) return;
     this.#lost = new EngineError("engine_lost", message);
     this.#port.terminate();

@@ -11,4 +11,7 @@ const turn = () =>
     port2.postMessage(null);
   });
 
+// Held as long as the worker lives: whoever gets this lock knows that it is gone.
+void navigator.locks?.request(self.name, () => new Promise(() => {}));
+
 serve(globalThis as unknown as ServerPort, turn);
