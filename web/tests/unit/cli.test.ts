@@ -261,6 +261,8 @@ describe("rigless bake without a project", () => {
     expect(trackOf("track.json").source).toMatchObject({ model: "ball.glb", motion: ["person Run.bvh"] });
     expect(await bake("person.glb", "--clip", "Walk", "--anyway")).toMatchObject({ code: 0 });
     expect(trackOf("track.json").source).toMatchObject({ model: "person.glb", motion: ["person Walk.bvh"] });
+    const taken = await rigless("bake", "person.glb", "--clip", "Walk", "--anyway", "--out", "taken.glb");
+    expect(taken.stderr).toContain("note: The model's own skeleton and 2 clips are replaced.\n");
     expect((await bake("ball.glb")).stderr).toBe("rigless: ball.glb holds no motion: name one beside it, as in ball.glb motion.bvh.\n");
   });
 

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 
-import { type Dance, everyFor, exportDance, sizeFault } from "../../src/io/export-dance";
+import { type Dance, everyFor, exportDance, sizeFault, sayReplaced } from "../../src/io/export-dance";
 import { ModelError } from "../../src/io/named-file";
 import type { Profile } from "../../src/io/profile";
 import { buildSkinInNode } from "../../src/engine/skin-node";
@@ -48,4 +48,13 @@ it("does not begin a file that is too large to be one", async () => {
   expect(sizeFault(model, [5], 1, morph)).toBeNull();
   expect(sizeFault(model, [5], 1, heavy)).toEqual({ text: "would hold 4.0 GB, more than a GLB can", every: 4 });
   await expect(exportDance(dance, 1, tools, heavy)).rejects.toThrow(new ModelError("wave.glb would hold 4.0 GB, more than a GLB can."));
+});
+
+it("what of the model's own file makes way is told: its skeleton, its clips, or nothing", () => {
+  const told = (json: object) => sayReplaced({ document: { json } } as unknown as Parameters<typeof sayReplaced>[0]);
+  expect(told({})).toBeNull();
+  expect(told({ skins: [{}] })).toBe("The model's own skeleton is replaced.");
+  expect(told({ animations: [{}] })).toBe("The model's own clip is replaced.");
+  expect(told({ animations: [{}, {}] })).toBe("The model's own 2 clips are replaced.");
+  expect(told({ skins: [{}], animations: [{}] })).toBe("The model's own skeleton and clip are replaced.");
 });
