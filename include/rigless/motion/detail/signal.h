@@ -25,10 +25,9 @@ std::vector<S> running_mean(const std::vector<S>& x, std::int32_t half);
 template <class S>
 std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half);
 
-// Second derivative, per second squared, of the least-squares parabola over 2 half + 1 frames; near the ends that of
-// the nearest whole window, zeros if there is none. `half` >= 1. Allocates the result.
+// Second derivative, per second squared, of the least-squares parabola through x[first] to x[last], at least 3 values.
 template <class S>
-std::vector<S> parabola_acceleration(const std::vector<S>& x, std::int32_t half, S fps);
+S parabola_acceleration(const std::vector<S>& x, std::size_t first, std::size_t last, S fps);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -63,25 +62,18 @@ std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half) {
 }
 
 template <class S>
-std::vector<S> parabola_acceleration(const std::vector<S>& x, std::int32_t half, S fps) {
-  RIGLESS_ASSERT(half >= 1);
-  const std::int32_t frames = static_cast<std::int32_t>(x.size());
-  std::vector<S> acceleration(x.size(), 0);
-  if (frames < 2 * half + 1) return acceleration;
+S parabola_acceleration(const std::vector<S>& x, std::size_t first, std::size_t last, S fps) {
+  RIGLESS_ASSERT(first + 2 <= last && last < x.size());
   // The parabola's leading coefficient: k^2 without its mean is orthogonal to the constant and to k.
-  const S mean = static_cast<S>(half) * static_cast<S>(half + 1) / 3;
-  S norm = 0;
-  for (std::int32_t k = -half; k <= half; ++k) norm += (static_cast<S>(k * k) - mean) * (static_cast<S>(k * k) - mean);
-  for (std::int32_t f = 0; f < frames; ++f) {
-    const std::int32_t middle = std::clamp(f, half, frames - 1 - half);
-    const S level = x[static_cast<std::size_t>(middle)];  // keeps a float from losing digits
-    S sum = 0;
-    for (std::int32_t k = -half; k <= half; ++k) {
-      sum += (static_cast<S>(k * k) - mean) * (x[static_cast<std::size_t>(middle + k)] - level);
-    }
-    acceleration[static_cast<std::size_t>(f)] = 2 * fps * fps * sum / norm;
+  const S n = static_cast<S>(last - first);
+  S sum = 0, norm = 0;
+  for (std::size_t f = first; f <= last; ++f) {
+    const S k = static_cast<S>(f - first) - n / 2;
+    const S weight = k * k - n * (n + 2) / 12;
+    sum += weight * (x[f] - x[first]);  // the difference keeps a float from losing digits
+    norm += weight * weight;
   }
-  return acceleration;
+  return 2 * fps * fps * sum / norm;
 }
 
 }  // namespace rigless::detail
