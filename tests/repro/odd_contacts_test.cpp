@@ -114,12 +114,12 @@ TEST_CASE("a walk in slow motion stands as long as the walk") {
 }
 
 TEST_CASE("a sprint has stances of three frames, and flies between them") {
-  const Gait sprint = {0.5, 0.1, 4, 0.25, 30, 3, {}};
+  const Gait sprint = {0.44, 0.085, 4.2, 0.25, 30, 3, {}};
   const Contacts contacts = contacts_of(walk(sprint));
   check_stances(contacts.left, sprint, 0, 1);
   check_stances(contacts.right, sprint, 1, 1);
-  REQUIRE(contacts.flights.size() == 11);
-  for (const Flight& flight : contacts.flights) CHECK(std::abs(flight.landing - flight.take_off - 5) <= 1);
+  REQUIRE(contacts.flights.size() == 13);
+  for (const Flight& flight : contacts.flights) CHECK(std::abs(flight.landing - flight.take_off - 4) <= 1);
 }
 
 TEST_CASE("a walk over blocks of .38 m stands on all of them and never flies") {

@@ -76,16 +76,15 @@ std::vector<Flight> find_flights(const Clip<S>& clip, const JointRoles& roles,
                                  const std::array<FrameLabels, 2>& standing) {
   const S fall = S(-6.2) * leg_length(clip, roles);  // 0.6 g for a leg of 0.95 m; flights have 0.9, all else 0.4
   const std::vector<S> centre = mass_heights(clip, roles);
-  FrameLabels air;
-  for (std::size_t f = 0; f < standing[0].size(); ++f)
-    air.push_back(standing[0][f] == 0 && standing[1][f] == 0 ? 1 : 0);
   std::vector<Flight> found;
-  for (const FrameRun& run : label_runs(air)) {
-    const std::int32_t take_off = run.begin - 1;
-    if (take_off < 0 || run.end == clip.frames) continue;
-    if (static_cast<S>(run.end - take_off) < Standing<S>::shortest * clip.fps) continue;
-    const auto first = static_cast<std::size_t>(take_off), last = static_cast<std::size_t>(run.end);
-    if (parabola_acceleration(centre, first, last, clip.fps) < fall) found.push_back({take_off, run.end});
+  std::int32_t supported = clip.frames;  // the last frame that was
+  for (std::int32_t f = 0; f < clip.frames; ++f) {
+    const auto frame = static_cast<std::size_t>(f);
+    if (standing[0][frame] == 0 && standing[1][frame] == 0) continue;
+    const bool gap = f > supported + 1 && static_cast<S>(f - supported) >= Standing<S>::shortest * clip.fps;
+    if (gap && parabola_acceleration(centre, static_cast<std::size_t>(supported), frame, clip.fps) < fall)
+      found.push_back({supported, f});
+    supported = f;
   }
   return found;
 }

@@ -1,4 +1,4 @@
-// Filters over one coordinate of a clip: a running mean, a running minimum, the acceleration of a fitted parabola.
+// Filters over one coordinate of a clip: a running minimum, the acceleration of a fitted parabola.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,6 @@ std::int32_t half_window(S seconds, S fps) {
   return static_cast<std::int32_t>(seconds * fps / 2 + S(0.5));
 }
 
-// Mean over 2 half + 1 frames; the first and last frame go on beyond the ends. Allocates the result.
-template <class S>
-std::vector<S> running_mean(const std::vector<S>& x, std::int32_t half);
-
 // Minimum over the frames within `half` of each, in linear time. Allocates the result and scratch.
 template <class S>
 std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half);
@@ -30,18 +26,6 @@ template <class S>
 S parabola_acceleration(const std::vector<S>& x, std::size_t first, std::size_t last, S fps);
 
 // ---------------------------------------------------------------------------------------------------------------------
-
-template <class S>
-std::vector<S> running_mean(const std::vector<S>& x, std::int32_t half) {
-  const std::int32_t last = static_cast<std::int32_t>(x.size()) - 1;
-  std::vector<S> mean(x.size());
-  for (std::int32_t f = 0; f <= last; ++f) {
-    S sum = 0;
-    for (std::int32_t k = f - half; k <= f + half; ++k) sum += x[static_cast<std::size_t>(std::clamp(k, 0, last))];
-    mean[static_cast<std::size_t>(f)] = sum / static_cast<S>(2 * half + 1);
-  }
-  return mean;
-}
 
 template <class S>
 std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half) {

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "rigless/math/types.h"
@@ -63,30 +61,29 @@ class StandingFinder {
  public:
   StandingFinder(const Clip<S>& clip, S leg) : clip_(clip), leg_(leg), frames_(static_cast<std::size_t>(clip.frames)) {}
 
-  std::array<FrameLabels, 2> find(const std::array<std::vector<std::int32_t>, 2>& feet) {
-    for (std::size_t k = 0; k < 2; ++k)
-      for (const std::int32_t joint : feet[k]) tracks_[k].push_back(track(joint));
-    std::vector<S> lowest = tracks_[0][0].height, fastest(frames_, 0);
-    for (const auto& foot : tracks_) {
-      for (const Track& joint : foot) {
-        for (std::size_t f = 0; f < frames_; ++f) {
-          lowest[f] = std::min(lowest[f], joint.height[f]);
-          fastest[f] = std::min(fastest[f], joint.speed[f]);
-        }
+  // feet: three joints of the left foot and three of the right, -1 for none.
+  std::array<FrameLabels, 2> find(const std::array<std::int32_t, 6>& feet) {
+    std::vector<S> fastest(frames_, 0);
+    floor_.assign(frames_, S(1e9));
+    for (std::size_t k = 0; k < feet.size(); ++k) {
+      if (feet[k] < 0) continue;
+      tracks_[k] = track(feet[k]);
+      for (std::size_t f = 0; f < frames_; ++f) {
+        floor_[f] = std::min(floor_[f], tracks_[k].height[f]);
+        fastest[f] = std::min(fastest[f], tracks_[k].speed[f]);
       }
     }
-    floor_ = window_minimum(lowest, Limits::floor_window);
+    floor_ = window_minimum(floor_, Limits::floor_window);
     fastest = window_minimum(fastest, Limits::around);
-    std::array<FrameLabels, 2> low, standing;
-    for (std::size_t k = 0; k < 2; ++k) {
-      for (Track& joint : tracks_[k]) set_limit(fastest, joint);
-      low[k] = on_floor(tracks_[k]);
-    }
-    standing = low;
-    for (std::size_t k = 0; k < 2; ++k) {
-      for (const Track& joint : tracks_[k]) add_raised(joint, low[1 - k], standing[k]);
-      drop_short(standing[k], 0);
-      drop_short(standing[k], 1);
+    std::array<FrameLabels, 2> low = {FrameLabels(frames_, 0), FrameLabels(frames_, 0)};
+    for (std::size_t k = 0; k < feet.size(); ++k)
+      if (feet[k] >= 0) add_low(fastest, tracks_[k], low[k / 3]);
+    std::array<FrameLabels, 2> standing = low;
+    for (std::size_t k = 0; k < feet.size(); ++k)
+      if (feet[k] >= 0) add_raised(tracks_[k], low[1 - k / 3], standing[k / 3]);
+    for (FrameLabels& on : standing) {
+      drop_short(on, 0);
+      drop_short(on, 1);
     }
     return standing;
   }
@@ -96,7 +93,7 @@ class StandingFinder {
   struct Track {
     std::vector<S> height;  // T, smoothed
     std::vector<S> speed;   // T, minus it: the running minimum is the greatest
-    std::vector<S> limit;   // T, minus the speed below which it stands
+    FrameLabels slow;       // T; 2: half as fast would do
   };
 
   std::vector<S> window_minimum(const std::vector<S>& x, S seconds) const {
@@ -105,62 +102,57 @@ class StandingFinder {
 
   // The speed is that of the slower step beside a frame, so that a stance of three frames keeps all of them.
   Track track(std::int32_t joint) const {
-    std::array<std::vector<S>, 3> p;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::vector<S> x;
-      for (std::int32_t f = 0; f < clip_.frames; ++f) x.push_back(clip_.at(f, joint)[static_cast<Eigen::Index>(axis)]);
-      p[axis] = running_mean(x, static_cast<std::int32_t>(Limits::smoothing * clip_.fps / 2));
+    Track track;
+    const auto half = static_cast<std::int32_t>(Limits::smoothing * clip_.fps / 2);
+    Vec3<S> last;
+    for (std::int32_t f = 0; f < clip_.frames; ++f) {
+      Vec3<S> p = Vec3<S>::Zero();
+      for (std::int32_t k = f - half; k <= f + half; ++k) p += clip_.at(std::clamp(k, 0, clip_.frames - 1), joint);
+      p /= static_cast<S>(2 * half + 1);
+      const S speed = f > 0 ? -(p - last).norm() * clip_.fps : clip_.frames > 1 ? S(-1e9) : S(0);
+      if (f > 0) track.speed.back() = std::max(track.speed.back(), speed);
+      track.height.push_back(p.y());
+      track.speed.push_back(speed);
+      last = p;
     }
-    std::vector<S> speed(frames_, frames_ < 2 ? S(0) : S(-1e9));
-    for (std::size_t f = 1; f < frames_; ++f) {
-      const Vec3<S> step(p[0][f] - p[0][f - 1], p[1][f] - p[1][f - 1], p[2][f] - p[2][f - 1]);
-      speed[f] = -step.norm() * clip_.fps;
-      speed[f - 1] = std::max(speed[f - 1], speed[f]);
-    }
-    return {std::move(p[1]), std::move(speed), {}};
+    return track;
   }
 
-  void set_limit(const std::vector<S>& fastest, Track& joint) const {
-    joint.limit = window_minimum(joint.speed, Limits::nearby);
+  void add_low(const std::vector<S>& fastest, Track& joint, FrameLabels& on) const {
+    const std::vector<S> floor = window_minimum(joint.height, Limits::floor_window);
+    const std::vector<S> own = window_minimum(joint.speed, Limits::nearby);
     for (std::size_t f = 0; f < frames_; ++f) {
       const S usual = std::clamp(-Limits::slow * fastest[f], Limits::still * leg_, Limits::brisk * leg_);
-      joint.limit[f] = -std::max(usual, std::min(-Limits::own * joint.limit[f], Limits::fastest * leg_));
+      const S limit = std::max(usual, std::min(-Limits::own * own[f], Limits::fastest * leg_));
+      const S speed = -joint.speed[f];
+      joint.slow.push_back(speed > limit ? 0 : speed > limit / 2 ? 1 : 2);
+      const bool low = joint.height[f] < floor[f] + Limits::height * leg_;
+      if (low && joint.slow[f] != 0 && floor[f] < floor_[f] + Limits::step * leg_) on[f] = 1;
     }
-  }
-
-  FrameLabels on_floor(const std::vector<Track>& foot) const {
-    FrameLabels on(frames_, 0);
-    for (const Track& joint : foot) {
-      const std::vector<S> floor = window_minimum(joint.height, Limits::floor_window);
-      for (std::size_t f = 0; f < frames_; ++f) {
-        const bool low =
-            joint.height[f] < floor[f] + Limits::height * leg_ && floor[f] < floor_[f] + Limits::step * leg_;
-        if (low && joint.speed[f] >= joint.limit[f]) on[f] = 1;
-      }
-    }
-    return on;
   }
 
   // A foot on a block or a rung, which it came down on or leaves upwards: a foot that is held in the air came up to its
   // place and goes down from it, and does not carry while the other one is in the air.
   void add_raised(const Track& joint, const FrameLabels& other, FrameLabels& on) const {
-    FrameLabels slow(frames_);
-    for (std::size_t f = 0; f < frames_; ++f) slow[f] = joint.speed[f] >= joint.limit[f] ? 1 : 0;
     const auto least = static_cast<std::size_t>(Limits::carrying * clip_.fps) + 1;
     for (std::size_t begin = 0, end = 0; begin < frames_; begin = end) {
-      end = run_end(slow, begin);
-      if (slow[begin] == 0) continue;
-      const auto at = [&](std::size_t f) { return joint.height.begin() + static_cast<std::ptrdiff_t>(f); };
-      const S level = *std::min_element(at(begin), at(end));
-      const auto above = [&](std::size_t from, std::size_t to) {
-        return from == to || *std::max_element(at(from), at(to)) > level + Limits::settling * leg_;
-      };
       std::size_t alone = 0;
-      for (std::size_t f = begin; f < end; ++f) alone += other[f] == 0 && 2 * joint.speed[f] >= joint.limit[f] ? 1 : 0;
+      S level = S(1e9), around = S(-1e9);
+      for (end = begin; end < frames_ && joint.slow[end] != 0; ++end) {
+        level = std::min(level, joint.height[end]);
+        alone += other[end] == 0 && joint.slow[end] == 2 ? 1 : 0;
+      }
+      if (end == begin) {
+        ++end;
+        continue;
+      }
       if (alone < (begin > 0 && end < frames_ ? least : 1)) continue;  // the clip's ends may cut it
-      if (!above(begin - std::min(begin, least), begin) && !above(end, std::min(end + least, frames_))) continue;
+      const std::size_t before = begin - std::min(begin, least), after = std::min(end + least, frames_);
+      for (std::size_t f = before; f < after; ++f)
+        if (f < begin || f >= end) around = std::max(around, joint.height[f]);
+      if (begin > 0 && end < frames_ && around <= level + Limits::settling * leg_) continue;
       for (std::size_t f = begin; f < end; ++f)
-        if (*at(f) < level + Limits::height * leg_) on[f] = 1;
+        if (joint.height[f] < level + Limits::height * leg_) on[f] = 1;
     }
   }
 
@@ -177,8 +169,8 @@ class StandingFinder {
   const Clip<S>& clip_;
   S leg_;
   std::size_t frames_;
-  std::array<std::vector<Track>, 2> tracks_;  // left, right
-  std::vector<S> floor_;                      // T, of the lowest of all
+  std::array<Track, 6> tracks_;
+  std::vector<S> floor_;  // T, of the lowest of all
 };
 
 template <class S>
@@ -189,16 +181,12 @@ S leg_length(const Clip<S>& clip, const JointRoles& roles) {
 
 template <class S>
 std::array<FrameLabels, 2> find_standing(const Clip<S>& clip, const JointRoles& roles) {
-  std::array<std::vector<std::int32_t>, 2> feet;
-  for (std::size_t k = 0; k < 2; ++k) {
-    // What touches the ground: ball and tip, or ankle and end of a foot without a ball. The ankle of a foot with a ball
-    // would call the heel's swing into the ground a contact.
-    const LimbRoles& limb = k == 0 ? roles.left : roles.right;
-    for (const std::int32_t j : {limb.tip >= 0 ? -1 : limb.ankle, limb.toe, limb.tip})
-      if (j >= 0) feet[k].push_back(j);
-    if (clip.frames == 0 || feet[k].empty()) return {};
-  }
-  return StandingFinder<S>(clip, leg_length(clip, roles)).find(feet);
+  // What touches the ground: ball and tip, or ankle and end of a foot without a ball. The ankle of a foot with a ball
+  // would call the heel's swing into the ground a contact.
+  const LimbRoles &l = roles.left, &r = roles.right;
+  if (clip.frames == 0 || l.ankle < 0 || r.ankle < 0) return {};
+  return StandingFinder<S>(clip, leg_length(clip, roles))
+      .find({l.tip < 0 ? l.ankle : -1, l.toe, l.tip, r.tip < 0 ? r.ankle : -1, r.toe, r.tip});
 }
 
 }  // namespace rigless::detail
