@@ -6,11 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rigless/math/span.h"
 #include "rigless/motion/clip.h"
+#include "rigless/motion/detail/free_fall.h"
 #include "rigless/motion/detail/signal.h"
+#include "rigless/motion/detail/standing_feet.h"
 #include "rigless/motion/joint_roles.h"
 
 namespace rigless {
@@ -27,31 +30,18 @@ struct Flight {
   std::int32_t landing;
 };
 
-template <class S>
-struct ContactOptions {
-  S height = S(0.04);          // metres above its floor up to which a foot stands
-  S speed = S(0.7);            // metres per second below which it stands
-  S floor_window = S(1.4);     // seconds over which the lowest point is its floor: floors of captures drift and climb
-  S smoothing = S(0.05);       // seconds
-  S shortest = S(0.06);        // seconds; shorter runs, gaps and flights are noise
-  S step = S(0.2);             // metres between the floors of the two feet; a foot that rests higher is held in the air
-  S flight_height = S(0.045);  // metres above the floor that both feet keep in flight
-  S flight_acceleration = S(-5.886);  // -0.6 g: what the mean of the joints reaches in flight
-  S flight_window = S(0.1);           // seconds over which the acceleration is fitted
-};
-
 struct Contacts {
   std::vector<FrameRun> left;
   std::vector<FrameRun> right;
   std::vector<Flight> flights;
 };
 
-// At the clip's own rate; lengths in metres, Y up. A foot stands while one of its joints is low and slow; without foot
-// roles both runs are empty and so are the flights. A run that the clip's first or last frame cuts is kept however
-// short; a flight must begin and end half a flight window inside the clip. Allocates. Source: floor and thresholds as
-// measured on CMU 02_01, 02_03, 02_04; at 30 fps and more.
+// At the clip's own rate; lengths in metres, Y up. A foot stands while one of its joints is slow, measured by the feet
+// and the legs of this clip, and low, or carries the body on a block. Where none does and the body falls freely it
+// flies. Without foot roles there are no runs and no flights. A run that the clip's first or last frame cuts is kept
+// however short; a flight begins and ends inside the clip. Allocates. Source: as measured, see detail/standing_feet.h.
 template <class S>
-Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles, const ContactOptions<S>& options = {});
+Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles);
 
 // `frames` labels from the frame `first` on, 1 where the nearest source frame is in a run. Allocates the result.
 template <class S>
@@ -71,143 +61,45 @@ std::vector<Flight> resample_flights(const std::vector<Flight>& flights, S sourc
 
 namespace rigless::detail {
 
+inline std::vector<FrameRun> label_runs(const FrameLabels& on) {
+  std::vector<FrameRun> found;
+  for (std::size_t begin = 0, end = 0; begin < on.size(); begin = end) {
+    end = run_end(on, begin);
+    if (on[begin] != 0) found.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)});
+  }
+  return found;
+}
+
+// Where no foot stands and the body falls nearly freely, taken over the whole time: its limbs may flail. Short ones are
+// noise; what the clip's ends cut is nobody's throw.
 template <class S>
-class ContactFinder {
- public:
-  ContactFinder(const Clip<S>& clip, const ContactOptions<S>& options)
-      : clip_(clip),
-        options_(options),
-        shortest_(std::max(1, static_cast<std::int32_t>(options.shortest * clip.fps))) {}
-
-  Contacts find(const JointRoles& roles) {
-    const std::array<std::vector<std::int32_t>, 2> feet = {foot_joints(roles.left), foot_joints(roles.right)};
-    Contacts contacts;
-    if (clip_.frames == 0 || feet[0].empty() || feet[1].empty()) return contacts;
-    find_floor(feet);
-    const std::vector<std::uint8_t> left = standing(feet[0]);
-    const std::vector<std::uint8_t> right = standing(feet[1]);
-    contacts.left = runs(left);
-    contacts.right = runs(right);
-    contacts.flights = flights(left, right);
-    return contacts;
+std::vector<Flight> find_flights(const Clip<S>& clip, const JointRoles& roles,
+                                 const std::array<FrameLabels, 2>& standing) {
+  const S fall = S(-6.2) * leg_length(clip, roles);  // 0.6 g for a leg of 0.95 m; flights have 0.9, all else 0.4
+  const std::vector<S> centre = mass_heights(clip, roles);
+  std::vector<Flight> found;
+  std::int32_t supported = clip.frames;  // the last frame that was
+  for (std::int32_t f = 0; f < clip.frames; ++f) {
+    const auto frame = static_cast<std::size_t>(f);
+    if (standing[0][frame] == 0 && standing[1][frame] == 0) continue;
+    const bool gap = f > supported + 1 && static_cast<S>(f - supported) >= Standing<S>::shortest * clip.fps;
+    if (gap && parabola_acceleration(centre, static_cast<std::size_t>(supported), frame, clip.fps) < fall)
+      found.push_back({supported, f});
+    supported = f;
   }
-
- private:
-  // What touches the ground: ball and tip, or ankle and end of a foot without a ball. The ankle of a foot with a ball
-  // would call the heel's swing into the ground a contact.
-  static std::vector<std::int32_t> foot_joints(const LimbRoles& limb) {
-    std::vector<std::int32_t> joints;
-    for (const std::int32_t j : {limb.tip >= 0 ? -1 : limb.ankle, limb.toe, limb.tip})
-      if (j >= 0) joints.push_back(j);
-    return joints;
-  }
-
-  std::vector<S> coordinate(std::int32_t joint, std::int32_t axis) const {
-    std::vector<S> x;
-    x.reserve(static_cast<std::size_t>(clip_.frames));
-    for (std::int32_t f = 0; f < clip_.frames; ++f) x.push_back(clip_.at(f, joint)[axis]);
-    return x;
-  }
-  std::vector<S> smooth(const std::vector<S>& x) const {
-    return running_mean(x, half_window(options_.smoothing, clip_.fps));
-  }
-  std::vector<S> floor_under(const std::vector<S>& y) const {
-    return running_minimum(y, half_window(options_.floor_window, clip_.fps));
-  }
-
-  // The lowest foot joint, and how low it comes nearby.
-  void find_floor(const std::array<std::vector<std::int32_t>, 2>& feet) {
-    lowest_ = coordinate(feet[0][0], 1);
-    for (const std::vector<std::int32_t>& joints : feet) {
-      for (const std::int32_t j : joints) {
-        const std::vector<S> y = coordinate(j, 1);
-        for (std::size_t f = 0; f < y.size(); ++f) lowest_[f] = std::min(lowest_[f], y[f]);
-      }
-    }
-    floor_ = floor_under(lowest_);
-  }
-
-  std::vector<std::uint8_t> standing(const std::vector<std::int32_t>& joints) const {
-    std::vector<std::uint8_t> on(static_cast<std::size_t>(clip_.frames), 0);
-    for (const std::int32_t joint : joints) {
-      const std::array<std::vector<S>, 3> p = {smooth(coordinate(joint, 0)), smooth(coordinate(joint, 1)),
-                                               smooth(coordinate(joint, 2))};
-      const std::vector<S> floor = floor_under(p[1]);
-      for (std::size_t f = 0; f < on.size(); ++f) {
-        const std::size_t a = f == 0 ? 0 : f - 1;
-        const std::size_t b = std::min(f + 1, on.size() - 1);
-        const Vec3<S> move(p[0][b] - p[0][a], p[1][b] - p[1][a], p[2][b] - p[2][a]);
-        const bool slow = move.norm() * clip_.fps <= options_.speed * static_cast<S>(b - a);
-        const bool low = p[1][f] < floor[f] + options_.height;
-        const bool grounded = floor[f] < floor_[f] + options_.step;
-        if (slow && low && grounded) on[f] = 1;
-      }
-    }
-    drop_short(on, 0);
-    drop_short(on, 1);
-    return on;
-  }
-
-  // Runs of `value` that are too short take the other one, except at the ends.
-  void drop_short(std::vector<std::uint8_t>& on, std::uint8_t value) const {
-    for (std::size_t begin = 0, end = 0; begin < on.size(); begin = end) {
-      for (end = begin; end < on.size() && on[end] == on[begin];) ++end;
-      if (on[begin] != value || begin == 0 || end == on.size()) continue;
-      if (end - begin >= static_cast<std::size_t>(shortest_)) continue;
-      std::fill(on.begin() + static_cast<std::ptrdiff_t>(begin), on.begin() + static_cast<std::ptrdiff_t>(end),
-                static_cast<std::uint8_t>(1 - value));
-    }
-  }
-
-  static std::vector<FrameRun> runs(const std::vector<std::uint8_t>& on) {
-    std::vector<FrameRun> found;
-    for (std::size_t begin = 0, end = 0; begin < on.size(); begin = end) {
-      for (end = begin; end < on.size() && on[end] == on[begin];) ++end;
-      if (on[begin] != 0) found.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)});
-    }
-    return found;
-  }
-
-  std::vector<S> mean_height() const {
-    std::vector<S> mean(static_cast<std::size_t>(clip_.frames), 0);
-    for (std::size_t i = 0; i < clip_.positions.size(); ++i)
-      mean[i / clip_.skeleton.names.size()] += clip_.positions[i].y() / static_cast<S>(clip_.joints());
-    return mean;
-  }
-
-  // A flight is where no foot stands, both are high and the body is falling; somewhere in it, it falls nearly freely.
-  std::vector<Flight> flights(const std::vector<std::uint8_t>& left, const std::vector<std::uint8_t>& right) const {
-    const std::int32_t half = std::max(1, half_window(options_.flight_window, clip_.fps));
-    const std::vector<S> acceleration = parabola_acceleration(mean_height(), half, clip_.fps);
-    std::vector<std::uint8_t> airborne(left.size(), 0);
-    for (std::size_t f = 0; f < airborne.size(); ++f) {
-      const bool high = lowest_[f] > floor_[f] + options_.flight_height;
-      airborne[f] = high && left[f] == 0 && right[f] == 0 && acceleration[f] < 0 ? 1 : 0;
-    }
-    std::vector<Flight> found;
-    for (const FrameRun& run : runs(airborne)) {
-      const auto first = acceleration.begin() + run.begin;
-      const bool free = *std::min_element(first, acceleration.begin() + run.end) < options_.flight_acceleration;
-      const bool whole = run.begin >= half && run.end <= clip_.frames - half;  // beyond, the fit is a guess
-      if (free && whole && run.end - run.begin >= shortest_) found.push_back({run.begin - 1, run.end});
-    }
-    return found;
-  }
-
-  const Clip<S>& clip_;
-  const ContactOptions<S>& options_;
-  std::int32_t shortest_;  // frames
-  std::vector<S> lowest_;  // T, height of the lowest foot joint
-  std::vector<S> floor_;   // T
-};
+  return found;
+}
 
 }  // namespace rigless::detail
 
 namespace rigless {
 
 template <class S>
-Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles, const ContactOptions<S>& options) {
-  return detail::ContactFinder<S>(clip, options).find(roles);
+Contacts find_contacts(const Clip<S>& clip, const JointRoles& roles) {
+  const std::array<detail::FrameLabels, 2> standing = detail::find_standing(clip, roles);
+  if (standing[0].empty()) return {};
+  return {detail::label_runs(standing[0]), detail::label_runs(standing[1]),
+          detail::find_flights(clip, roles, standing)};
 }
 
 template <class S>

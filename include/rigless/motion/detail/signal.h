@@ -1,4 +1,4 @@
-// Filters over one coordinate of a clip: a running mean, a running minimum, the acceleration of a fitted parabola.
+// Filters over one coordinate of a clip: a running minimum, the acceleration of a fitted parabola.
 #pragma once
 
 #include <algorithm>
@@ -17,32 +17,15 @@ std::int32_t half_window(S seconds, S fps) {
   return static_cast<std::int32_t>(seconds * fps / 2 + S(0.5));
 }
 
-// Mean over 2 half + 1 frames; the first and last frame go on beyond the ends. Allocates the result.
-template <class S>
-std::vector<S> running_mean(const std::vector<S>& x, std::int32_t half);
-
 // Minimum over the frames within `half` of each, in linear time. Allocates the result and scratch.
 template <class S>
 std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half);
 
-// Second derivative, per second squared, of the least-squares parabola over 2 half + 1 frames; near the ends that of
-// the nearest whole window, zeros if there is none. `half` >= 1. Allocates the result.
+// Second derivative, per second squared, of the least-squares parabola through x[first] to x[last], at least 3 values.
 template <class S>
-std::vector<S> parabola_acceleration(const std::vector<S>& x, std::int32_t half, S fps);
+S parabola_acceleration(const std::vector<S>& x, std::size_t first, std::size_t last, S fps);
 
 // ---------------------------------------------------------------------------------------------------------------------
-
-template <class S>
-std::vector<S> running_mean(const std::vector<S>& x, std::int32_t half) {
-  const std::int32_t last = static_cast<std::int32_t>(x.size()) - 1;
-  std::vector<S> mean(x.size());
-  for (std::int32_t f = 0; f <= last; ++f) {
-    S sum = 0;
-    for (std::int32_t k = f - half; k <= f + half; ++k) sum += x[static_cast<std::size_t>(std::clamp(k, 0, last))];
-    mean[static_cast<std::size_t>(f)] = sum / static_cast<S>(2 * half + 1);
-  }
-  return mean;
-}
 
 template <class S>
 std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half) {
@@ -63,25 +46,18 @@ std::vector<S> running_minimum(const std::vector<S>& x, std::int32_t half) {
 }
 
 template <class S>
-std::vector<S> parabola_acceleration(const std::vector<S>& x, std::int32_t half, S fps) {
-  RIGLESS_ASSERT(half >= 1);
-  const std::int32_t frames = static_cast<std::int32_t>(x.size());
-  std::vector<S> acceleration(x.size(), 0);
-  if (frames < 2 * half + 1) return acceleration;
+S parabola_acceleration(const std::vector<S>& x, std::size_t first, std::size_t last, S fps) {
+  RIGLESS_ASSERT(first + 2 <= last && last < x.size());
   // The parabola's leading coefficient: k^2 without its mean is orthogonal to the constant and to k.
-  const S mean = static_cast<S>(half) * static_cast<S>(half + 1) / 3;
-  S norm = 0;
-  for (std::int32_t k = -half; k <= half; ++k) norm += (static_cast<S>(k * k) - mean) * (static_cast<S>(k * k) - mean);
-  for (std::int32_t f = 0; f < frames; ++f) {
-    const std::int32_t middle = std::clamp(f, half, frames - 1 - half);
-    const S level = x[static_cast<std::size_t>(middle)];  // keeps a float from losing digits
-    S sum = 0;
-    for (std::int32_t k = -half; k <= half; ++k) {
-      sum += (static_cast<S>(k * k) - mean) * (x[static_cast<std::size_t>(middle + k)] - level);
-    }
-    acceleration[static_cast<std::size_t>(f)] = 2 * fps * fps * sum / norm;
+  const S n = static_cast<S>(last - first);
+  S sum = 0, norm = 0;
+  for (std::size_t f = first; f <= last; ++f) {
+    const S k = static_cast<S>(f - first) - n / 2;
+    const S weight = k * k - n * (n + 2) / 12;
+    sum += weight * (x[f] - x[first]);  // the difference keeps a float from losing digits
+    norm += weight * weight;
   }
-  return acceleration;
+  return 2 * fps * fps * sum / norm;
 }
 
 }  // namespace rigless::detail

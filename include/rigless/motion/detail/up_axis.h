@@ -16,10 +16,10 @@
 
 namespace rigless::detail {
 
-// Z if the head is, on average over the clip, above the feet along Z rather than Y, and the skeleton at rest (J, file
-// units, or empty; ParseNotes::rest) does not itself stand along Y, as that of a man who lies down does. Minus where
-// body and rest are upside down. Where names do not tell, or the body leans too much to tell, Z if its lowest joint
-// stays level along Z and not along Y. Y in doubt. Allocates scratch.
+// Z if head and hips are, on average over the clip, above the feet along Z rather than Y, and the skeleton at rest (J,
+// file units, or empty; ParseNotes::rest) does not itself stand along Y, as that of a man who lies down does. Minus
+// where body and rest are upside down. Where names do not tell, or the body leans too much to tell, as a dog does, Z if
+// its lowest joint stays level along Z and not along Y. Y in doubt. Allocates scratch.
 template <class S>
 UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Vec3<double>> rest);
 
@@ -30,13 +30,20 @@ void turn_upright(Clip<S>& clip, UpAxis up);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-// From the feet to the head, over J positions.
+// From the feet to the head, and to the hips, over J positions: a dog's head is before it and its hips are above.
 template <class S>
 Vec3<double> body_up(const JointRoles& roles, const Vec3<S>* positions) {
   const auto at = [&](std::int32_t joint) -> Vec3<double> {
     return positions[static_cast<std::size_t>(joint)].template cast<double>();
   };
-  return at(roles.head) - (at(roles.left.ankle) + at(roles.right.ankle)) / 2;
+  return at(roles.head) + at(roles.root) - at(roles.left.ankle) - at(roles.right.ankle);
+}
+
+// The value below which a part of all lies. Reorders them.
+inline double quantile(std::vector<double>& values, std::size_t part, std::size_t parts) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * part / parts);
+  std::nth_element(values.begin(), at, values.end());  // std::sort would bring a kilobyte of wasm
+  return *at;
 }
 
 // How much the lowest joint along an axis goes up and down, by the size of the body: nearly nothing along the one that
@@ -54,20 +61,17 @@ double unevenness(const Clip<S>& clip, Eigen::Index axis) {
     lowest.push_back(low[axis]);
     sizes.push_back((high - low).maxCoeff());
   }
-  std::sort(lowest.begin(), lowest.end());
-  std::sort(sizes.begin(), sizes.end());
-  const std::size_t tenth = lowest.size() / 10;
-  return (lowest[lowest.size() - 1 - tenth] - lowest[tenth]) / std::max(sizes[sizes.size() / 2], 1e-30);
+  return (quantile(lowest, 9, 10) - quantile(lowest, 1, 10)) / std::max(quantile(sizes, 1, 2), 1e-30);
 }
 
 template <class S>
 UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Vec3<double>> rest) {
   constexpr double level = 0.06, uneven = 0.12;  // real files: .025 at most, .17 at least
   const std::size_t joints = clip.skeleton.names.size();
-  const auto z_is_level = [&] {
-    return clip.frames > 10 && unevenness(clip, 2) < level && unevenness(clip, 1) > uneven;
+  const auto by_level = [&] {
+    return clip.frames > 10 && unevenness(clip, 2) < level && unevenness(clip, 1) > uneven ? UpAxis::z : UpAxis::y;
   };
-  if (roles.head < 0 || roles.left.ankle < 0 || roles.right.ankle < 0) return z_is_level() ? UpAxis::z : UpAxis::y;
+  if (roles.head < 0 || roles.left.ankle < 0 || roles.right.ankle < 0) return by_level();
   Vec3<double> up = Vec3<double>::Zero();
   for (std::size_t i = 0; i < clip.positions.size(); i += joints) up += body_up(roles, clip.positions.data() + i);
   const Vec3<double> rest_up = rest.size() == joints ? body_up(roles, rest.data()) : up;
@@ -78,7 +82,7 @@ UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Ve
     return up.z() < 0 && rest_up.z() < 0 ? UpAxis::minus_z : UpAxis::z;
   }
   if (std::abs(up.y()) > 2 * std::abs(up.z())) return up.y() < 0 && rest_up.y() < 0 ? UpAxis::minus_y : UpAxis::y;
-  return !rests_along_y && z_is_level() ? UpAxis::z : UpAxis::y;
+  return rests_along_y ? UpAxis::y : by_level();
 }
 
 template <class S>
