@@ -22,13 +22,13 @@ test("a motion is cut by its handles, looped, mirrored and sped up, and undo tak
   await expect(page.locator("rigless-take .tip")).toHaveText("0.0 s to 2.5 s");
   await page.mouse.up();
   await settled(page);
-  expect(await said()).toEqual({ cut: [0, 76] });
-  expect(await page.evaluate(() => rigless?.frames)).toBe(77);
+  expect(await said()).toEqual({ cut: [0, 75] });
+  expect(await page.evaluate(() => rigless?.frames)).toBe(76);
   await page.getByRole("slider", { name: "Begin of the dance" }).press("ArrowRight");
-  await expect.poll(said).toEqual({ cut: [1, 76] });
+  await expect.poll(said).toEqual({ cut: [1, 75] });
 
   await page.getByRole("switch", { name: "Mirrored" }).click();
-  await page.getByLabel("Speed", { exact: true }).selectOption("2");
+  await page.getByRole("combobox", { name: "Speed" }).selectOption("2");
   await page.getByRole("switch", { name: "Make it a loop" }).click();
   await settled(page);
   const all = await said();
@@ -37,13 +37,13 @@ test("a motion is cut by its handles, looped, mirrored and sped up, and undo tak
     [0, (rigless?.frames ?? 1) - 1].map((frame) => rigless?.vertices(frame)?.filter((_, i) => i % 3 === 1)),
   );
   const [first, last] = ends.map((heights) => Array.from(Object.values(heights ?? {})));
-  expect(first.length).toBeGreaterThan(1000);
+  expect(first.length).toBeGreaterThan(500);
   first.forEach((height, i) => expect(Math.abs(height - last[i])).toBeLessThan(1e-3));
 
   await page.getByText("Does the human look wrong?").click();
   await page.getByRole("button", { name: "Turn by a quarter" }).click();
   await expect.poll(said).toEqual({ ...all, file: { turn: 90 } });
-  await page.getByLabel("Left foot", { exact: true }).selectOption("RightFoot");
+  await page.getByRole("combobox", { name: "Left foot" }).selectOption("RightFoot");
   await expect.poll(said).toEqual({ ...all, file: { turn: 90, joints: { "left foot": "RightFoot", "right foot": "LeftFoot" } } });
   for (let step = 0; step < 7; step++) await page.keyboard.press("Control+z");
   await expect.poll(() => documentOf(page)).toEqual(before);
