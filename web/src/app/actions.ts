@@ -158,7 +158,7 @@ export function createActions(actors: Actors): Actions {
     save: { label: "Save", help: "Save the project file", keys: ["Ctrl+S"], whileTyping: true, run: () => void saving.save() },
     export: { label: "Export", enabled: danced, run: () => void saving.openExport() },
     loop: { label: "Loop", run: () => player.setLoop(!player.loop) },
-    speed: { label: "Speed", run: () => player.nextSpeed() },
+    speed: { label: "Speed", title: "How fast you watch. The dance's own speed is set in Motion.", run: () => player.nextSpeed() },
     help: { label: "Help and keys", keys: ["?"], run: () => selection.setHelp(true) },
   };
   const actions = Object.entries(rows).map(([id, row]) => [id, { id, keys: [], enabled: () => true, ...row }]);

@@ -1,15 +1,16 @@
 // Where a motion is best cut to begin again as it ends. Pure.
 
 import { FPS, type Motion } from "../engine/types";
+import type { BodyPart } from "../skeleton/body-parts";
 
 /** Frames. */
 const SHORTEST = 20;
 /** How far from where the user cut it a better place is looked for. */
 const AROUND = 20;
 /** Frames that are compared with each other at first. */
-const MOST = 480;
+const MOST = 400;
 /** Pairs that are looked at closely. */
-const CLOSELY = 48;
+const CLOSELY = 32;
 /** Seconds: how much speeds count beside places. */
 const AHEAD = 0.12;
 /** Metres that a seam may be worse if the dance is longer by all of it; or if another foot stands. */
@@ -57,33 +58,40 @@ export function bestLoop(motion: Motion, near?: readonly [number, number]): Loop
 
 const range = (from: number, to: number, low: number, high: number): [number, number] => [Math.max(from, low), Math.min(to, high)];
 
+/** What of a body is looked at; of a body whose parts cannot be told, some joints. */
+const PARTS: readonly (BodyPart | null)[] = ["head", "chest", "lower_arm", "hand", "lower_leg", "foot"];
+const SOME = 16;
+
 /** How unlike two frames are: poses, their speeds, how the body moves, and which feet stand. */
 function comparer({ joints, frames, local, positions, yaw, stands }: Motion): (a: number, b: number) => number {
-  const known = joints.flatMap(({ part }, j) => (part === null ? [] : [j]));
-  const used = known.length > 4 ? known : joints.map((_, j) => j);
+  const known = joints.flatMap(({ part }, j) => (PARTS.includes(part) ? [j] : []));
+  const every = Math.ceil(joints.length / SOME);
+  const used = known.length >= 5 ? known : joints.flatMap((_, j) => (j % every === 0 ? [j] : []));
   const width = 6 * used.length + 4;
-  const features = new Float32Array(frames * width);
   const share = 1 / Math.sqrt(used.length);
-  const around = (f: number): [number, number, number] => {
+  const features = new Float32Array(frames * width);
+  const made = new Uint8Array(frames);
+  const make = (f: number): void => {
+    made[f] = 1;
     const [before, after] = [Math.max(f - 1, 0), Math.min(f + 1, frames - 1)];
-    return [before, after, (FPS * AHEAD) / (after - before)];
-  };
-  for (let f = 0; f < frames; f++) {
-    const [before, after, speed] = around(f);
+    const speed = (FPS * AHEAD) / (after - before);
     let at = f * width;
-    for (const j of used)
+    for (const j of used) {
+      const [here, then, next] = [f, before, after].map((frame) => 3 * (frame * joints.length + j));
       for (let k = 0; k < 3; k++) {
-        const place = (frame: number): number => local[3 * (frame * joints.length + j) + k];
-        features[at++] = share * place(f);
-        features[at++] = share * speed * (place(after) - place(before));
+        features[at++] = share * local[here + k];
+        features[at++] = share * speed * (local[next + k] - local[then + k]);
       }
+    }
     const root = (frame: number, k: number): number => positions[3 * frame * joints.length + k];
-    const [dx, dz] = [speed * (root(after, 0) - root(before, 0)), speed * (root(after, 2) - root(before, 2))];
+    const [dx, dz] = [0, 2].map((k) => speed * (root(after, k) - root(before, k)));
     const [c, s] = [Math.cos(yaw[f]), Math.sin(yaw[f])];
     features.set([root(f, 1), c * dx - s * dz, s * dx + c * dz, 0.5 * speed * (yaw[after] - yaw[before])], at);
-  }
+  };
   const foot = (a: number, b: number): number => Number(stands.left[a] !== stands.left[b]) + Number(stands.right[a] !== stands.right[b]);
   return (a, b) => {
+    if (!made[a]) make(a);
+    if (!made[b]) make(b);
     let sum = 0;
     for (let i = a * width, k = b * width, end = i + width; i < end; i++, k++) sum += (features[i] - features[k]) ** 2;
     return Math.sqrt(sum) + OTHER_FOOT * foot(a, b);

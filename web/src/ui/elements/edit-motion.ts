@@ -24,9 +24,9 @@ export class EditMotion extends SessionElement {
       :host { display: block; }
       .cut { display: flex; align-items: center; gap: 8px; min-height: var(--hit); font: var(--t-body); color: var(--ink-2); }
       .cut b { font: var(--t-strong); color: var(--ink); }
-      .pair { grid-template-columns: 76px minmax(0, 1fr); }
-      rigless-switch { margin: -6px 0; }
-      @media (max-width: 719px) { rigless-switch { margin: 0; } }
+      .pair { grid-template-columns: 72px minmax(0, 1fr); }
+      .switches { margin: -6px 0; }
+      @media (max-width: 719px) { .switches { display: flex; gap: 8px; margin: 0; } }
     `,
   ];
 
@@ -41,10 +41,12 @@ export class EditMotion extends SessionElement {
     return html`<div class="more">
       <p class="cut"><span class="grow">Danced from <b>${seconds(a / FPS)}</b> to <b>${seconds(b / FPS)}</b></span>
         ${cut ? html`<button class="btn line" title="Dance all of it" @click=${() => editing.setCut(null)}>All</button>` : nothing}</p>
-      <rigless-switch label="Make it a loop" effect=${this.loopEffect(loop)} .on=${loop}
-        @switch=${(event: CustomEvent<boolean>) => editing.setLoop(event.detail)}></rigless-switch>
-      <rigless-switch label="Mirrored" effect=${mirror ? "Left and right have changed places" : "Left is left"} .on=${mirror}
-        @switch=${(event: CustomEvent<boolean>) => editing.setMirror(event.detail)}></rigless-switch>
+      <div class="switches">
+        <rigless-switch label="Make it a loop" effect=${this.loopEffect(loop)} .on=${loop}
+          @switch=${(event: CustomEvent<boolean>) => editing.setLoop(event.detail)}></rigless-switch>
+        <rigless-switch label="Mirrored" effect=${mirror ? "Left and right have changed places" : "Left is left"} .on=${mirror}
+          @switch=${(event: CustomEvent<boolean>) => editing.setMirror(event.detail)}></rigless-switch>
+      </div>
       ${select(
         "Speed",
         `${speed}`,

@@ -35,7 +35,7 @@ export class FileFacts extends SessionElement {
       [open] > summary::after { content: "–"; }
       .facts { display: grid; gap: 8px; padding: 4px 0; }
       .facts p { font: var(--t-small); color: var(--ink-2); }
-      .pair { grid-template-columns: 76px minmax(0, 1fr); }
+      .pair { grid-template-columns: 72px minmax(0, 1fr); }
     `,
   ];
 
@@ -53,7 +53,7 @@ export class FileFacts extends SessionElement {
       ${select(
         "Size in",
         `${file.metresPerUnit ?? ""}`,
-        [["", file.metresPerUnit === undefined ? `As found: ${length(tall)} tall` : "As found"], ...sizes],
+        [["", file.metresPerUnit === undefined ? `Found: ${length(tall)} tall` : "As found"], ...sizes],
         (value) => editing.correct({ metresPerUnit: value === "" ? undefined : Number(value) }),
       )}
       ${select("Up is", file.up ?? "", [["", "As found"], ...Object.entries(UPS)], (value) =>
@@ -62,7 +62,7 @@ export class FileFacts extends SessionElement {
       ${select(
         "Frames",
         `${file.fps ?? ""}`,
-        [["", `As found: ${figure(own)} a second`], ...rates.map((rate): Option => [`${rate}`, `${rate} a second`])],
+        [["", `Found: ${figure(own)} a second`], ...rates.map((rate): Option => [`${rate}`, `${rate} a second`])],
         (value) => editing.setRate(value === "" ? null : Number(value), own),
       )}
       <p>Which of its joints is which:</p>
