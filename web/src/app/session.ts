@@ -111,6 +111,11 @@ export class Session {
   get performance(): Performance | null {
     return this.context.performance;
   }
+  /** The page asks for something, or speaks of a pin. */
+  get asks(): boolean {
+    const { selection, pairing, coverage, pins } = this;
+    return (selection.panel === "points" && pairing.asks) || coverage.asking !== null || pins.chosen !== null || pins.armed;
+  }
 
   private async keep(): Promise<Keeping> {
     this.kept ??= import("./keeping").then(({ Keeping }) => (this.keeping = new Keeping(this.context, this, this.ports)));

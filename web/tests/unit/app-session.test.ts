@@ -52,3 +52,15 @@ test("jobs tell their topic, and what the engine refuses is said", async () => {
   await workspace.sync();
   expect(session.context.notices.all[0]).toMatchObject({ bad: true, text: "The dance is as it was before." });
 });
+
+test("the session asks while a pin is to be made or spoken of", async () => {
+  const { session } = await dancingSession();
+  expect(session.asks).toBe(false);
+  session.pins.arm(true);
+  expect(session.asks).toBe(true);
+  session.pins.arm(false);
+  session.pins.choose("n1");
+  expect(session.asks).toBe(true);
+  session.pins.choose(null);
+  expect(session.asks).toBe(false);
+});

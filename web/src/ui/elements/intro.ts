@@ -14,7 +14,7 @@ export interface IntroBoxes {
 /** The first line and the ways on from it; leaves with the first drag. */
 @customElement("rigless-intro")
 export class Intro extends SessionElement {
-  protected readonly topics = ["intro", "document", "panel", "notices"] as const;
+  protected readonly topics = ["intro", "document", "panel", "notices", "pins", "coverage"] as const;
 
   static override styles = [
     base,
@@ -47,10 +47,10 @@ export class Intro extends SessionElement {
   }
 
   protected override render() {
-    const { cast, motions, opening, selection, context } = this.session;
+    const { cast, motions, opening, selection, context, asks } = this.session;
     const performer = cast.next;
     const motion = motions.next;
-    if (!selection.intro || selection.panel !== null) return "";
+    if (!selection.intro || selection.panel !== null || asks) return "";
     const name = cast.presentName.toLowerCase();
     const chip = (words: unknown, choose: () => void) => html`<button class="chip" @click=${choose}>${words}</button>`;
     return html`

@@ -24,17 +24,14 @@ export class Status extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const { selection, context, coverage, pairing, pins } = session;
+    const { selection, context } = session;
     const { points } = session.document;
     const held = session.dragging.active;
     const id = held?.id ?? selection.point;
     const index = points.findIndex((point) => point.id === id);
     const point = points[index];
     this.toggleAttribute("plain", !point);
-    this.toggleAttribute(
-      "asking",
-      (selection.panel === "points" && pairing.asks) || coverage.asking !== null || pins.chosen !== null || pins.armed,
-    );
+    this.toggleAttribute("asking", session.asks);
     const solved = context.meter.median;
     const speed =
       context.solving && !held
