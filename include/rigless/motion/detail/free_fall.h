@@ -10,27 +10,17 @@
 
 namespace rigless::detail {
 
-// T, height of the centre of mass, as far as joints tell; there is always a root. Allocates the result. Source: masses
+// T, height of the centre of mass; parts without a joint lie at the root. Allocates the result. Source: masses
 // of Winter, Biomechanics and Motor Control of Human Movement, each half at either end of its bone.
 template <class S>
 std::vector<S> mass_heights(const Clip<S>& clip, const JointRoles& roles) {
-  struct Part {
-    std::int32_t joint;
-    S mass;
-  };
-  const LimbRoles &l = roles.left, &r = roles.right;
-  const Part parts[] = {{roles.root, S(0.36)}, {roles.head, S(0.28)}, {l.knee, S(0.09)},  {r.knee, S(0.09)},
-                        {l.ankle, S(0.04)},    {r.ankle, S(0.04)},    {l.elbow, S(0.03)}, {r.elbow, S(0.03)},
-                        {l.hand, S(0.02)},     {r.hand, S(0.02)}};
   std::vector<S> heights;
   for (std::int32_t f = 0; f < clip.frames; ++f) {
-    S mass = 0, moment = 0;
-    for (const Part& part : parts) {
-      if (part.joint < 0) continue;
-      mass += part.mass;
-      moment += part.mass * clip.at(f, part.joint).y();
-    }
-    heights.push_back(moment / mass);
+    const auto at = [&](std::int32_t joint) { return clip.at(f, joint < 0 ? roles.root : joint).y(); };
+    const LimbRoles &l = roles.left, &r = roles.right;
+    heights.push_back(S(0.36) * at(roles.root) + S(0.28) * at(roles.head) + S(0.09) * (at(l.knee) + at(r.knee)) +
+                      S(0.04) * (at(l.ankle) + at(r.ankle)) + S(0.03) * (at(l.elbow) + at(r.elbow)) +
+                      S(0.02) * (at(l.hand) + at(r.hand)));
   }
   return heights;
 }

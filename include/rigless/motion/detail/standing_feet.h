@@ -146,11 +146,12 @@ class StandingFinder {
         ++end;
         continue;
       }
-      if (alone < (begin > 0 && end < frames_ ? least : 1)) continue;  // the clip's ends may cut it
+      const bool cut = begin == 0 || end == frames_;  // by the clip's ends
+      if (alone < (cut ? 1 : least)) continue;
       const std::size_t before = begin - std::min(begin, least), after = std::min(end + least, frames_);
       for (std::size_t f = before; f < after; ++f)
         if (f < begin || f >= end) around = std::max(around, joint.height[f]);
-      if (begin > 0 && end < frames_ && around <= level + Limits::settling * leg_) continue;
+      if (!cut && around <= level + Limits::settling * leg_) continue;
       for (std::size_t f = begin; f < end; ++f)
         if (joint.height[f] < level + Limits::height * leg_) on[f] = 1;
     }
@@ -175,8 +176,9 @@ class StandingFinder {
 
 template <class S>
 S leg_length(const Clip<S>& clip, const JointRoles& roles) {
-  return std::max({chain_length(clip, roles.left.ankle, roles.root), chain_length(clip, roles.right.ankle, roles.root),
-                   standing_height(clip, roles) / 2});
+  const S left = chain_length(clip, roles.left.ankle, roles.root);
+  const S right = chain_length(clip, roles.right.ankle, roles.root);
+  return std::max(std::max(left, right), standing_height(clip, roles) / 2);
 }
 
 template <class S>

@@ -39,9 +39,9 @@ Vec3<double> body_up(const JointRoles& roles, const Vec3<S>* positions) {
   return at(roles.head) + at(roles.root) - at(roles.left.ankle) - at(roles.right.ankle);
 }
 
-// The value below which a part of all lies. Reorders them.
-inline double quantile(std::vector<double>& values, std::size_t part, std::size_t parts) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * part / parts);
+// The value below which so many tenths of all lie. Reorders them.
+inline double tenth(std::vector<double>& values, std::size_t tenths) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * tenths / 10);
   std::nth_element(values.begin(), at, values.end());  // std::sort would bring a kilobyte of wasm
   return *at;
 }
@@ -50,7 +50,8 @@ inline double quantile(std::vector<double>& values, std::size_t part, std::size_
 // is up, for whoever walks on a floor. Without the tenths at either end, which are jumps. Allocates scratch.
 template <class S>
 double unevenness(const Clip<S>& clip, Eigen::Index axis) {
-  std::vector<double> lowest, sizes;
+  std::vector<double> lowest;
+  double size = 1e-30;  // of all frames
   for (std::int32_t f = 0; f < clip.frames; ++f) {
     Vec3<double> low = clip.at(f, 0).template cast<double>(), high = low;
     for (std::int32_t j = 1; j < clip.joints(); ++j) {
@@ -59,9 +60,9 @@ double unevenness(const Clip<S>& clip, Eigen::Index axis) {
       high = high.cwiseMax(p);
     }
     lowest.push_back(low[axis]);
-    sizes.push_back((high - low).maxCoeff());
+    size += (high - low).maxCoeff();
   }
-  return (quantile(lowest, 9, 10) - quantile(lowest, 1, 10)) / std::max(quantile(sizes, 1, 2), 1e-30);
+  return (tenth(lowest, 9) - tenth(lowest, 1)) * static_cast<double>(clip.frames) / size;
 }
 
 template <class S>
@@ -82,7 +83,7 @@ UpAxis guess_up_axis(const Clip<S>& clip, const JointRoles& roles, Span<const Ve
     return up.z() < 0 && rest_up.z() < 0 ? UpAxis::minus_z : UpAxis::z;
   }
   if (std::abs(up.y()) > 2 * std::abs(up.z())) return up.y() < 0 && rest_up.y() < 0 ? UpAxis::minus_y : UpAxis::y;
-  return rests_along_y ? UpAxis::y : by_level();
+  return std::abs(rest_up.y()) > 2 * std::abs(rest_up.z()) ? UpAxis::y : by_level();
 }
 
 template <class S>
