@@ -7,6 +7,7 @@ import { type ClipEdits, SAID_ROLES, type SaidRole } from "../document/types";
 import { EngineError, type Motion, type MotionInput } from "../engine/types";
 import { roleOf } from "../skeleton/pair-joints";
 import { bestLoop, type Loop } from "../sync/best-loop";
+import { pointJoints } from "../sync/pairing";
 import { motionEdits } from "../sync/translate";
 import type { Context } from "./context";
 
@@ -27,11 +28,14 @@ export class MotionEditing {
   take: Motion | null = null;
   /** Where it loops best: in all of it, or near the present cut. */
   loop: Loop | null = null;
+  /** The role whose joint is to be clicked on the human. */
+  waiting: SaidRole | null = null;
   private looked: { input: MotionInput; said: string } | null = null;
   private near = "";
 
   constructor(private readonly context: Context) {
     for (const topic of ["document", "panel"] as const) context.signals.on(topic, () => void this.look());
+    context.signals.on("panel", () => this.waitFor(null));
     void this.look();
   }
 
@@ -120,13 +124,33 @@ export class MotionEditing {
     return this.context.motion?.joints.find((joint) => roleOf(joint) === role)?.name ?? null;
   }
 
-  /** Says which joint has a role; null: the one that was found. Who had that joint gets the other's, so that sides can be swapped. */
+  /** Says which joint has a role; null: the one that was found. If the other side has that joint, the two change places. */
   setJoint(role: SaidRole, joint: string | null): void {
     const { [role]: _, ...joints } = this.said.file?.joints ?? {};
-    const other = SAID_ROLES.find((one) => one !== role && this.jointOf(one) === joint);
+    const part = role.split(" ").at(-1);
+    const other = SAID_ROLES.find((one) => one !== role && one.split(" ").at(-1) === part && this.jointOf(one) === joint);
     const before = this.jointOf(role);
     const said = { ...joints, ...(joint !== null && { [role]: joint, ...(other && before && { [other]: before }) }) };
     this.correct({ joints: Object.keys(said).length > 0 ? said : undefined });
+  }
+
+  waitFor(role: SaidRole | null): void {
+    if (role === this.waiting) return;
+    this.waiting = role;
+    this.context.signals.tell("pairing");
+  }
+
+  /** A joint of the human was clicked, or the dot of a point there; false: nobody asked for one. */
+  takeJoint(joint: number): boolean {
+    const name = this.context.motion?.joints[joint]?.name;
+    if (!this.waiting || name === undefined) return false;
+    this.setJoint(this.waiting, name);
+    this.waitFor(null);
+    return true;
+  }
+  takeDot(point: string): boolean {
+    const { document, motion } = this.context;
+    return motion !== null && this.takeJoint(pointJoints(document, motion)[document.points.findIndex(({ id }) => id === point)]);
   }
 
   private edit(edits: MotionEdits): void {

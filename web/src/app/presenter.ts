@@ -9,6 +9,7 @@ import type { Coverage } from "./coverage";
 import type { Drag, Dragging } from "./dragging";
 import { drawnModel } from "./drawn-model";
 import type { Guesses } from "./guesses";
+import type { MotionEditing } from "./motion-editing";
 import type { Pairing } from "./pairing";
 import type { Sources } from "./sources";
 
@@ -19,6 +20,7 @@ export interface Shown {
   readonly guesses: Guesses;
   readonly pairing: Pairing;
   readonly coverage: Coverage;
+  readonly editing: MotionEditing | null;
 }
 
 /** Puts what is now on the stage: the model, the human, the dots and the frame. Nobody else tells the stage anything. */
@@ -164,9 +166,9 @@ export class Presenter {
 
   private look(): void {
     const { panel, layout } = this.context.selection;
-    const { pairing, coverage } = this.shown;
+    const { pairing, coverage, editing } = this.shown;
     this.stage?.setLook({
-      mode: panel === "points" ? "points" : "pose",
+      mode: panel === "points" || editing?.waiting ? "points" : "pose",
       layout,
       livePair: pairing.waiting,
       asking: coverage.asking !== null,

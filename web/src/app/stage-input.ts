@@ -1,6 +1,7 @@
 import type { StagePort } from "../stage/port";
 import type { Context } from "./context";
 import type { Dragging } from "./dragging";
+import type { MotionEditing } from "./motion-editing";
 import type { Pairing } from "./pairing";
 import type { Presenter } from "./presenter";
 
@@ -10,8 +11,9 @@ const RESET = "Graphics were reset by the browser.";
 export function listenToStage(
   stage: StagePort,
   { player, selection, notices }: Context,
-  { dragging, pairing, presenter }: { dragging: Dragging; pairing: Pairing; presenter: Presenter },
+  parts: { dragging: Dragging; pairing: Pairing; presenter: Presenter; editing: MotionEditing | null },
 ): void {
+  const { dragging, pairing, presenter } = parts;
   stage.on("point-grab", ({ id }) => dragging.grab(id));
   stage.on("point-move", ({ position }) => dragging.move(position));
   stage.on("point-drop", () => dragging.drop());
@@ -19,9 +21,13 @@ export function listenToStage(
   stage.on("point-reach", ({ near }) => {
     player.waiting = near;
   });
-  stage.on("point-pick", ({ id, on }) => pairing.pick(id, on));
+  stage.on("point-pick", ({ id, on }) => {
+    if (on === "model" || !parts.editing?.takeDot(id)) pairing.pick(id, on);
+  });
   stage.on("surface-pick", ({ vertex }) => pairing.surface(vertex));
-  stage.on("joint-pick", ({ joint }) => pairing.joint(joint));
+  stage.on("joint-pick", ({ joint }) => {
+    if (!parts.editing?.takeJoint(joint)) pairing.joint(joint);
+  });
   stage.on("empty-pick", () => selection.select(null));
   stage.on("context-lost", () => notices.say({ title: RESET, text: "Your work is here. The picture comes back by itself." }));
   stage.on("context-restored", () => {

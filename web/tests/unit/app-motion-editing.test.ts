@@ -7,11 +7,11 @@ import { danced, dancingSession } from "./app-support";
 
 /** The page's own session with its motion looked at. */
 async function looking() {
-  const { session } = await dancingSession();
+  const { session, stage } = await dancingSession();
   session.selection.setPanel("motion");
   const editing = editingOf(session);
   await expect.poll(() => editing.take, { timeout: 20_000 }).not.toBeNull();
-  return { session, editing };
+  return { session, stage, editing };
 }
 
 test("a motion is cut, sped up, mirrored and looped, each in one step that undo takes back", async () => {
@@ -81,6 +81,28 @@ test("a wrong guess is corrected in one step: heading, rate, and which joint is 
   expect(session.context.motion?.joints.filter((joint) => roleOf(joint) === "right foot").map(({ name }) => name)).toEqual([left]);
   session.history.undo();
   expect(saidOf(session.document)).toEqual({ cut: [10, 20] });
+});
+
+test("a joint is clicked on the human, itself or the dot of a point; without a question the click pairs as ever", async () => {
+  const { session, stage, editing } = await looking();
+  const { joints = [] } = session.context.motion ?? {};
+  const index = (role: string): number => joints.findIndex((joint) => roleOf(joint) === role);
+  editing.waitFor("left hand");
+  expect(stage.look.mode).toBe("points");
+  stage.emit("joint-pick", { joint: index("left lower arm") });
+  expect(saidOf(session.document).file?.joints).toEqual({ "left hand": joints[index("left lower arm")].name });
+  expect([editing.waiting, stage.look.mode]).toEqual([null, "pose"]);
+  const before = session.document;
+  const dot = before.points.find(({ joint }) => joint === joints[index("head")].name);
+  editing.waitFor("right hand");
+  stage.emit("point-pick", { id: dot?.id ?? "", on: "human" });
+  expect(saidOf(session.document).file?.joints?.["right hand"]).toBe(dot?.joint);
+  const paired = session.document;
+  stage.emit("point-pick", { id: dot?.id ?? "", on: "human" });
+  expect([session.document, session.selection.point]).toEqual([paired, dot?.id]);
+  editing.waitFor("head");
+  session.selection.setPanel("model");
+  expect(editing.waiting).toBeNull();
 });
 
 test("nothing is read while nobody looks", async () => {

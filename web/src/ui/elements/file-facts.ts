@@ -22,7 +22,7 @@ const RATES = [24, 25, 30, 50, 60, 90, 100, 120, 240] as const;
 /** What a motion's file is, where the guess is wrong. */
 @customElement("rigless-file-facts")
 export class FileFacts extends SessionElement {
-  protected readonly topics = ["document", "solve"] as const;
+  protected readonly topics = ["document", "solve", "pairing"] as const;
 
   static override styles = [
     base,
@@ -35,6 +35,8 @@ export class FileFacts extends SessionElement {
       [open] > summary::after { content: "–"; }
       .facts { display: grid; gap: 8px; padding: 4px 0; }
       .facts p { font: var(--t-small); color: var(--ink-2); }
+      .role { display: grid; grid-template-columns: minmax(0, 1fr) auto; gap: 4px; }
+      .role [aria-pressed="true"] { background: var(--ink); color: var(--on-ink); }
       .pair { grid-template-columns: 72px minmax(0, 1fr); }
     `,
   ];
@@ -65,7 +67,7 @@ export class FileFacts extends SessionElement {
         [["", `Found: ${figure(own)} a second`], ...rates.map((rate): Option => [`${rate}`, `${rate} a second`])],
         (value) => editing.setRate(value === "" ? null : Number(value), own),
       )}
-      <p>Which of its joints is which:</p>
+      <p>${editing.waiting ? `Click the ${editing.waiting} of the human.` : "Which of its joints is which, or click it on the human:"}</p>
       ${SAID_ROLES.map((role) => this.renderRole(role, editing.said.file?.joints?.[role] ?? ""))}
     </div></details>`;
   }
@@ -74,9 +76,12 @@ export class FileFacts extends SessionElement {
     const editing = editingOf(this.session);
     const names = (this.session.context.motion?.joints ?? []).map(({ name }): Option => [name, name]);
     const found = said === "" ? (editing.jointOf(role) ?? "none found") : "As found";
-    return select(role[0].toUpperCase() + role.slice(1), said, [["", found], ...names], (value) =>
+    const waits = editing.waiting === role;
+    const label = role[0].toUpperCase() + role.slice(1);
+    return html`<div class="role">${select(label, said, [["", found], ...names], (value) =>
       editing.setJoint(role, value === "" ? null : value),
-    );
+    )}<button class="btn icon" aria-pressed=${waits} title="Click it on the human" aria-label="Click the ${role} on the human"
+        @click=${() => editing.waitFor(waits ? null : role)}>${icon("points")}</button></div>`;
   }
 }
 
