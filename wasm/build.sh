@@ -18,7 +18,7 @@ object memory -Oz
 analysis() { em++ "${flags[@]}" -O2 -DRIGLESS_COLD= wasm/shape_analysis.cpp wasm/solid.cpp "$objects/memory.o" "${link[@]}" -o "$objects/shape-analysis.wasm" && echo "compiled wasm/shape_analysis.cpp and wasm/solid.cpp"; }
 skin() { em++ "${flags[@]}" -O2 wasm/skin.cpp "$objects/memory.o" "${link[@]}" -o "$objects/skin.wasm" && echo "compiled wasm/skin.cpp"; }
 { object performance -O1 -mllvm -inline-threshold=5 && object motion -Oz && skin; } & motions=$!
-{ object surface -O2 -mllvm -inline-threshold=25 -fno-vectorize -fno-slp-vectorize && analysis; } & surfaces=$!
+{ object surface -O2 -mllvm -inline-threshold=10 -fno-vectorize -fno-slp-vectorize && analysis; } & surfaces=$!
 wait $motions
 wait $surfaces
 em++ -Oz "$objects"/{surface,performance,motion,memory}.o "${link[@]}" -o "$objects/rigless.wasm"

@@ -21,46 +21,65 @@ interface Values {
 /** Later than any motion ends. */
 const END = 1e9;
 
+/** A loop has at least so many frames: of fewer the core does not say that they close. */
+const SHORTEST_LOOP = 8;
+
+/** What the command line says of every motion; an end of the cut that it does not name is the project's. */
+export interface AskedEdits extends MotionEdits {
+  readonly from?: number;
+  readonly to?: number;
+}
+
 /** Errors (UsageError): no number, or none that can be. */
-export function motionEditsOf({ from, to, speed, mirror, loop }: Values): MotionEdits {
-  const cut = [frameOf("--from", from, 0), frameOf("--to", to, END)] as const;
-  if (cut[0] >= cut[1]) throw new UsageError(`--to should be later than --from, but they are ${to} and ${from ?? 0}.`);
+export function motionEditsOf({ from, to, speed, mirror, loop }: Values): AskedEdits {
   if (speed !== undefined && !(Number(speed) >= 0.25 && Number(speed) <= 4))
     throw new UsageError(`--speed should be a number from 0.25 to 4, but it is "${speed}".`);
-  return {
-    ...((from !== undefined || to !== undefined) && { cut }),
+  const edits = {
+    ...(from !== undefined && { from: frameOf("--from", from) }),
+    ...(to !== undefined && { to: frameOf("--to", to) }),
     ...(speed !== undefined && { speed: Number(speed) }),
     ...(mirror && { mirror }),
     ...(loop && { loop }),
   };
+  if (edits.to !== undefined && (edits.from ?? 0) >= edits.to)
+    throw new UsageError(`--to should be later than --from by a frame, 0.034 seconds, but they are ${to} and ${from ?? 0}.`);
+  return edits;
 }
 
-function frameOf(option: string, said: string | undefined, otherwise: number): number {
-  if (said === undefined) return otherwise;
+function frameOf(option: string, said: string): number {
   const frame = Math.round(Number(said) * FPS);
   if (said.trim() !== "" && frame >= 0 && frame < END) return frame;
-  throw new UsageError(`${option} should be a number of seconds, but it is "${said}".`);
+  throw new UsageError(`${option} should be a number of seconds that a motion may last, but it is "${said}".`);
 }
 
 /**
  * The document with the motion cut and turned as the command line has it. What shall loop and is not cut is cut where it loops
- * best, and that is said. Errors (FileError): it would begin after the motion's end; EngineError.
+ * best, and that is said. Errors (FileError): it would begin after the motion's end or its own, or is too short for a loop;
+ * EngineError.
  */
 export async function editedMotion(
   document: ProjectDocument,
   input: MotionInput,
-  { edits, progress }: { readonly edits: MotionEdits; readonly progress: Progress },
+  { edits: { from, to, ...edits }, progress }: { readonly edits: AskedEdits; readonly progress: Progress },
   binding: Binding,
   signal: AbortSignal,
 ): Promise<ProjectDocument> {
-  const edited = editMotion(edits)(document);
-  const { cut } = saidOf(edited);
-  const wanted = edits.loop === true && cut === undefined;
-  if (!wanted && edits.cut === undefined) return edited;
+  const [first, last] = saidOf(document).cut ?? [0, END];
+  const asked = from !== undefined || to !== undefined;
+  const edited = editMotion(asked ? { ...edits, cut: [from ?? first, to ?? last] } : edits)(document);
+  const { cut, loop } = saidOf(edited);
+  if (!cut && !loop) return edited;
+  if (cut && cut[0] >= cut[1])
+    throw new FileError(`${input.name} is cut to end at ${seconds(cut[1])}, but its dance begins at ${seconds(cut[0])}.`);
   const whole = await binding.takeMotion(editMotion({ cut: undefined, loop: undefined })(edited), input, () => ({ signal }));
-  if (cut && cut[0] >= whole.frames - 1)
+  if (cut && cut[0] > 0 && cut[0] >= whole.frames - 1)
     throw new FileError(`${input.name} lasts ${seconds(whole.frames - 1)}, so its dance cannot begin at ${seconds(cut[0])}.`);
-  const best = wanted ? bestLoop(whole) : null;
+  const length = Math.min(cut?.[1] ?? END, whole.frames - 1) - (cut?.[0] ?? 0) + 1;
+  if (loop && length < SHORTEST_LOOP)
+    throw new FileError(
+      `${input.name} has ${length} frames to loop, but ${SHORTEST_LOOP} are needed: cut it to ${seconds(SHORTEST_LOOP)} or more.`,
+    );
+  const best = edits.loop === true && !cut ? bestLoop(whole) : null;
   if (!best) return edited;
   progress.note(`${input.name} loops best from ${seconds(best.cut[0])} to ${seconds(best.cut[1])}, and is cut there.`);
   return editMotion({ cut: best.cut })(edited);

@@ -1,7 +1,6 @@
 // rigless bake: a project, or a model and motions, to an animated GLB and the dance as numbers.
 
 import { saidOf } from "../../src/document/clips";
-import type { MotionEdits } from "../../src/document/edit-clip";
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
 import { buildSkinInNode } from "../../src/engine/skin-node";
@@ -19,7 +18,7 @@ import { type Bake, bake } from "../../src/sync/bake";
 import { Binding } from "../../src/sync/binding";
 import { pairingFault, pairingNotes } from "../../src/sync/pairing";
 import { type Asked, type BakeInputs, openInputs } from "../bake-inputs";
-import { editedMotion, motionEditsOf } from "../edited-motion";
+import { type AskedEdits, editedMotion, motionEditsOf } from "../edited-motion";
 import { FileError } from "../files";
 import { OutputFiles, print, STDOUT } from "../output-files";
 import { readArguments, UsageError } from "../verb";
@@ -72,7 +71,7 @@ interface BakeCommand extends Asked {
   readonly profile: Profile;
   readonly fps: number;
   /** Of every motion, whatever the project says. */
-  readonly edits: MotionEdits;
+  readonly edits: AskedEdits;
   /** Whatever the project says. */
   readonly inPlace: boolean;
   readonly track: string | null;

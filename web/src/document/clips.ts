@@ -6,7 +6,8 @@ import type { ClipEdits, Pin, ProjectDocument } from "./types";
 const NOTHING: ClipEdits = {};
 
 export function clipName({ motion }: Pick<ProjectDocument, "motion">): string {
-  return (motion.files.at(-1) ?? "").replace(/^.*[/\\]/, "");
+  const { files } = motion; // a skeleton may stand beside it, before or after
+  return (files.find((file) => !/\.asf$/i.test(file)) ?? files[0] ?? "").replace(/^.*[/\\]/, "");
 }
 
 /** What is danced, and how what is said of it is called. */

@@ -7,7 +7,7 @@ test("what the first load transfers fits in 480 kB, gzipped", async ({ page }) =
     if (request.url().startsWith("http")) urls.add(request.url());
   });
   await page.goto("/");
-  for (const kind of [/\.css$/, /\.js$/, /\.wasm$/, /\.glb$/, /\.bvh$/]) {
+  for (const kind of [/\.css$/, /\.js$/, /\.wasm$/, /\.glb$/, /\.bvh$/, /look-[^/]*\.js$/]) {
     await expect
       .poll(() => [...urls].filter((url) => kind.test(url)).length, { message: String(kind), timeout: 60_000 })
       .toBeGreaterThan(0);

@@ -173,12 +173,22 @@ describe("rigless bake", () => {
     expect(asCut.track.frames).toBe(31);
     for (const [args, problem] of [
       [["--speed", "9"], '--speed should be a number from 0.25 to 4, but it is "9".'],
-      [["--from", "soon"], '--from should be a number of seconds, but it is "soon".'],
-      [["--from", "2", "--to", "1"], "--to should be later than --from, but they are 1 and 2."],
+      [["--from", "soon"], '--from should be a number of seconds that a motion may last, but it is "soon".'],
+      [["--from", "2", "--to", "1"], "--to should be later than --from by a frame, 0.034 seconds, but they are 1 and 2."],
     ] as const) {
       const run = await rigless("bake", cactus, ...args, "--track", "none.json");
       expect([run.code, run.stderr.includes(problem)], run.stderr).toEqual([2, true]);
     }
+    const kept = await dance("said.json", "--from", "1");
+    expect(kept.track.frames).toBe(own.track.frames - 10); // ends where the project has it
+    const short = await rigless("bake", cactus, "--loop", "--to", "0.1", "--track", "none.json");
+    expect([short.code, short.stderr]).toEqual([1, expect.stringContaining("hop.bvh has 4 frames to loop, but 8 are needed")]);
+    writeFileSync(
+      join(folder, "far.json"),
+      JSON.stringify({ ...project, motion: { files: ["hop.bvh"] }, clips: { "hop.bvh": { cut: [500, 600] } } }),
+    );
+    const far = await rigless("bake", "far.json", "--track", "none.json");
+    expect([far.code, far.stderr]).toEqual([1, expect.stringContaining("hop.bvh lasts 3.87 s, so its dance cannot begin at 16.67 s.")]);
     const late = await rigless("bake", cactus, "--from", "60", "--track", "none.json");
     expect([late.code, late.stderr]).toEqual([1, expect.stringContaining("hop.bvh lasts 3.87 s, so its dance cannot begin at 60.00 s.")]);
   }, 120_000);

@@ -226,3 +226,9 @@ it("pins replace each other at one frame, runs that touch become one, and a poin
     ]),
   ).toEqual([[3, 6]]);
 });
+
+it("what is said of a motion is found by the file that moves, whichever way round its skeleton is named", () => {
+  const clips = { "m.amc": { mirror: true } };
+  for (const files of [["s.asf", "m.amc"], ["m.amc", "s.asf"], ["a/m.amc"]])
+    expect(clipOf({ motion: { files }, clips })).toEqual({ mirror: true });
+});
