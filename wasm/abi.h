@@ -15,6 +15,7 @@
 #include "rigless/motion/standardise.h"
 #include "rigless/retarget/retarget.h"
 #include "rigless/scene/body.h"
+#include "rigless/scene/detail/loop.h"
 #include "rigless/scene/detail/stage_transform.h"
 #include "rigless/scene/performance.h"
 
@@ -39,11 +40,12 @@ using Solve = rigless::Solve;
 using FollowThrough = rigless::FollowThrough;
 
 // Constants that both sides know.
-inline constexpr double fps = rigless::performance_fps;              // of every performance
-inline constexpr double person_height = rigless::person_height;      // metres, where nothing better is known
-inline constexpr double stage_height = rigless::stage_height;        // how tall a model stands on the stage, metres
-inline constexpr double width_share = rigless::detail::width_share;  // how much of its width counts as height
-inline constexpr double default_radius = rigless::default_radius;    // of a point, in model heights
+inline constexpr double fps = rigless::performance_fps;                  // of every performance
+inline constexpr double person_height = rigless::person_height;          // metres, where nothing better is known
+inline constexpr double stage_height = rigless::stage_height;            // how tall a model stands on the stage, metres
+inline constexpr double width_share = rigless::detail::width_share;      // how much of its width counts as height
+inline constexpr double default_radius = rigless::default_radius;        // of a point, in model heights
+inline constexpr double shortest_loop = rigless::detail::shortest_loop;  // frames of a motion that may close
 inline constexpr double default_smoothness = rigless::default_smoothness;  // weight of acceleration at 30 fps
 
 // Field types: one double each, a vector three.

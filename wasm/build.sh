@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # wasm/build.sh OUTPUT: the core as one .wasm file, shape-analysis.wasm and skin.wasm beside it, and what TypeScript knows of them
 # (abi.mjs). Linked for size, which costs a dance 3 % of its time and saves 4 kB. Surfaces are built for speed, motions for
-# size. What must be inlined or held in vectors says so in its source: to
-# leave the compiler few choices of its own costs no speed (measured) and saves 30 kB, for performances 4. These are as fast by -O1 as by
-# -O2, four times as fast as by -Oz, and 2 kB larger than that. Who understands a mesh is not downloaded before there is one,
+# size. What must be inlined or held in vectors says so in its source: to leave the compiler few choices of its own costs no
+# speed (measured) and saves 30 kB, for performances 4. These are as fast by -O1 as by -O2 and four times as fast as by -Oz. Who understands a mesh is not downloaded before there is one,
 # and ten times as fast as by -Oz; who carves a skin, not before a dance is taken away.
 set -euo pipefail
 cd "$(dirname "$0")/.."

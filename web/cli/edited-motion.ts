@@ -6,6 +6,7 @@ import type { ProjectDocument } from "../src/document/types";
 import { FPS, type MotionInput } from "../src/engine/types";
 import { bestLoop } from "../src/sync/best-loop";
 import type { Binding } from "../src/sync/binding";
+import { SHORTEST_LOOP } from "../src/util/constants";
 import { FileError } from "./files";
 import type { Progress } from "./progress";
 import { UsageError } from "./verb";
@@ -20,9 +21,6 @@ interface Values {
 
 /** Later than any motion ends. */
 const END = 1e9;
-
-/** A loop has at least so many frames: of fewer the core does not say that they close. */
-const SHORTEST_LOOP = 8;
 
 /** What the command line says of every motion; an end of the cut that it does not name is the project's. */
 export interface AskedEdits extends MotionEdits {
@@ -67,19 +65,22 @@ export async function editedMotion(
   const [first, last] = saidOf(document).cut ?? [0, END];
   const asked = from !== undefined || to !== undefined;
   const edited = editMotion(asked ? { ...edits, cut: [from ?? first, to ?? last] } : edits)(document);
-  const { cut, loop } = saidOf(edited);
-  if (!cut && !loop) return edited;
+  const { cut, loop, file } = saidOf(edited);
+  if (!cut && !loop && !file?.joints) return edited;
   if (cut && cut[0] >= cut[1])
     throw new FileError(`${input.name} is cut to end at ${seconds(cut[1])}, but its dance begins at ${seconds(cut[0])}.`);
-  const whole = await binding.takeMotion(editMotion({ cut: undefined, loop: undefined })(edited), input, () => ({ signal }));
-  if (cut && cut[0] > 0 && cut[0] >= whole.frames - 1)
-    throw new FileError(`${input.name} lasts ${seconds(whole.frames - 1)}, so its dance cannot begin at ${seconds(cut[0])}.`);
-  const length = Math.min(cut?.[1] ?? END, whole.frames - 1) - (cut?.[0] ?? 0) + 1;
-  if (loop && length < SHORTEST_LOOP)
+  const searched = edits.loop === true && !cut;
+  const motion = await binding.takeMotion(searched ? editMotion({ loop: undefined })(edited) : edited, input, () => ({ signal }));
+  const end = motion.takeFrames - 1;
+  if (cut && cut[0] > 0 && cut[0] >= end)
+    throw new FileError(`${input.name} lasts ${seconds(end)}, so its dance cannot begin at ${seconds(cut[0])}.`);
+  if (loop && motion.frames < SHORTEST_LOOP)
     throw new FileError(
-      `${input.name} has ${length} frames to loop, but ${SHORTEST_LOOP} are needed: cut it to ${seconds(SHORTEST_LOOP)} or more.`,
+      `${input.name} has ${motion.frames} frames to loop, but ${SHORTEST_LOOP} are needed: cut it to ${seconds(SHORTEST_LOOP)} or more.`,
     );
-  const best = edits.loop === true && !cut ? bestLoop(whole) : null;
+  for (const [role, name] of Object.entries(file?.joints ?? {}))
+    if (!motion.joints.some((joint) => joint.name === name)) progress.note(`${input.name} has no joint "${name}": its ${role} is guessed.`);
+  const best = searched ? bestLoop(motion) : null;
   if (!best) return edited;
   progress.note(`${input.name} loops best from ${seconds(best.cut[0])} to ${seconds(best.cut[1])}, and is cut there.`);
   return editMotion({ cut: best.cut })(edited);

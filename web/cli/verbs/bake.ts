@@ -16,6 +16,7 @@ import { type Clip, keptClips } from "../../src/io/write-glb";
 import { serializeTrack, trackOf } from "../../src/io/write-track";
 import { type Bake, bake } from "../../src/sync/bake";
 import { Binding } from "../../src/sync/binding";
+import { missedPins } from "../../src/sync/missed-pins";
 import { pairingFault, pairingNotes } from "../../src/sync/pairing";
 import { type Asked, type BakeInputs, openInputs } from "../bake-inputs";
 import { type AskedEdits, editedMotion, motionEditsOf } from "../edited-motion";
@@ -159,7 +160,8 @@ async function danceAll(
         onSolved: (frames) => checkSize(command, inputs, clips, Math.round((frames * command.fps) / (FPS * speed))),
       },
     );
-    for (const note of [...(n === 0 ? model.notes : []), ...baked.motion.notes, ...pairingNotes(document, baked.motion)])
+    const pinNotes = (missedPins(document, baked.performance) ?? []).map(({ words }) => words);
+    for (const note of [...(n === 0 ? model.notes : []), ...baked.motion.notes, ...pairingNotes(document, baked.motion), ...pinNotes])
       progress.note(note);
     clips.push({ name: nameOf(inputs, motions, input.name), frames: paced(baked.frames, command.fps, speed) });
     last = { document, baked };

@@ -9,13 +9,14 @@ import { roleOf } from "../skeleton/pair-joints";
 import { bestLoop, type Loop } from "../sync/best-loop";
 import { pointJoints } from "../sync/pairing";
 import { motionEdits } from "../sync/translate";
+import { SHORTEST_LOOP } from "../util/constants";
 import type { Context } from "./context";
 
 export { SAID_ROLES, type SaidRole } from "../document/types";
 
 export const SPEEDS = [0.25, 0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4] as const;
 
-/** Frames that a dance has at least. */
+/** From a dance's first frame to its last there are at least so many. */
 const SHORTEST = 2;
 
 /** A session's one, which is made when it is wanted first. */
@@ -80,7 +81,8 @@ export class MotionEditing {
     const [a, b] = this.cut;
     const near = this.marks.reduce((best, mark) => (Math.abs(mark - to) < Math.abs(best - to) ? mark : best), Infinity);
     const at = Math.abs(near - to) <= reach ? near : to;
-    return end === 0 ? [Math.max(0, Math.min(at, b - SHORTEST)), b] : [a, Math.min(last, Math.max(at, a + SHORTEST))];
+    const least = this.said.loop ? SHORTEST_LOOP - 1 : SHORTEST;
+    return end === 0 ? [Math.max(0, Math.min(at, b - least)), b] : [a, Math.min(last, Math.max(at, a + least))];
   }
 
   /** Null: all of it. */

@@ -1,15 +1,13 @@
 import { clipOf, pinFault, removePin, setPin } from "../document/clips";
 import { freeId } from "../document/commands";
 import type { Pin } from "../document/types";
+import { missedPins } from "../sync/missed-pins";
 import { pointsOfControls } from "../sync/point-controls";
-import { pinsWithin } from "../sync/translate";
 import type { Context } from "./context";
 import type { Dragging, Dropped } from "./dragging";
 
 export type { Pin } from "../document/types";
 
-/** Less is not worth a word: metres on the stage. */
-const MISSED = 0.005;
 const TITLE = "A pin is not kept.";
 
 /** What a kind of pin says, and what its flag shows (the path of a stroke). */
@@ -105,36 +103,24 @@ export class Pins {
 
   /** Says which pin the new dance cannot keep, by how much, and what stands against it; or takes that back. */
   private check(): void {
-    const { performance, motion, document, notices } = this.context;
-    if (!performance || !motion) return;
-    const pins = pinsWithin(clipOf(document), motion.frames);
-    const { worst, against } = performance.missed;
-    if (worst.length !== pins.length) return; // of an older document; the next dance is on its way
-    const at = worst.reduce((most, miss, n) => (miss > (worst[most] ?? 0) ? n : most), 0);
-    const pin = pins[at];
-    if (!pin || (worst[at] ?? 0) < MISSED) {
+    const { performance, document, notices } = this.context;
+    const missed = performance && missedPins(document, performance);
+    if (!missed) return; // of an older document; the next dance is on its way
+    const [worst] = missed;
+    if (!worst) {
       notices.dismissTitle(TITLE);
       return;
     }
-    const other = pins[against[at] ?? -1];
-    const miss = Math.max(1, Math.round(100 * (worst[at] ?? 0)));
-    const why = other
-      ? `${this.words(other)} stands against it; they met half way.`
-      : "The ground stands against it: the point stands or would sink there.";
+    const { pin, words } = worst;
     notices.say({
       title: TITLE,
-      text: `${this.words(pin)} is missed by ${miss} cm. ${why}`,
+      text: words,
       icon: "points",
       actions: [
         { label: "Show it", run: () => this.choose(pin.id) },
         { label: "Delete it", run: () => this.remove(pin.id) },
       ],
     });
-  }
-
-  /** "The pin of Left arm at frame 40" */
-  private words({ point, frame }: Pin): string {
-    return `The pin of ${this.context.document.points.find(({ id }) => id === point)?.name ?? "a point"} at frame ${frame}`;
   }
 
   private as(pin: Pin, kind: Pin["kind"]): Pin {

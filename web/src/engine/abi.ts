@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1949552571;
+export const ABI = 1853493376;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;

@@ -15,6 +15,9 @@ export const WIDTH_SHARE = 0.6;
 /** Of a point, in model heights. */
 export const DEFAULT_RADIUS = 0.05;
 
+/** Frames of a motion that may close. */
+export const SHORTEST_LOOP = 8;
+
 /** Weight of acceleration at 30 fps. */
 export const DEFAULT_SMOOTHNESS = 0.3;
 

@@ -58,6 +58,9 @@ test("the ends of a cut snap to steps and to the best loop, and never pass each 
   expect(editing.movedEnd(0, mark - 2, 0)).toEqual([mark - 2, 29]);
   expect(editing.movedEnd(0, 400, 0)).toEqual([27, 29]);
   expect(editing.movedEnd(1, -400, 0)).toEqual([0, 2]);
+  editing.setLoop(true);
+  editing.setCut([0, 20]);
+  expect(editing.movedEnd(1, 1, 0)).toEqual([0, 7]); // of fewer frames nothing closes
 });
 
 test("a wrong guess is corrected in one step: heading, rate, and which joint is which", async () => {

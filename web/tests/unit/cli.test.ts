@@ -189,6 +189,18 @@ describe("rigless bake", () => {
     );
     const far = await rigless("bake", "far.json", "--track", "none.json");
     expect([far.code, far.stderr]).toEqual([1, expect.stringContaining("hop.bvh lasts 3.87 s, so its dance cannot begin at 16.67 s.")]);
+    const [one, two] = project.points;
+    const place = (id: string, point: string, y: number) => ({ id, point, frame: 30, kind: "place", position: [0, y, 0] });
+    const odd = {
+      file: { joints: { "left hand": "Nope" } },
+      pins: [place("n1", one.id, 1), place("n2", one.id, 2), place("n3", two.id, 1)],
+    };
+    writeFileSync(join(folder, "odd.json"), JSON.stringify({ ...project, motion: { files: ["hop.bvh"] }, clips: { "hop.bvh": odd } }));
+    const { warnings } = await dance("odd.json");
+    expect(warnings).toContain('hop.bvh has no joint "Nope": its left hand is guessed.');
+    const missed = warnings.filter((words: string) => words.startsWith("The pin of "));
+    expect(missed).toHaveLength(2);
+    expect(missed[0]).toMatch(/ at frame 30 is missed by \d+ cm\. The pin of .* stands against it; they met half way\.$/);
     const late = await rigless("bake", cactus, "--from", "60", "--track", "none.json");
     expect([late.code, late.stderr]).toEqual([1, expect.stringContaining("hop.bvh lasts 3.87 s, so its dance cannot begin at 60.00 s.")]);
   }, 120_000);

@@ -141,15 +141,13 @@ class Clearance {
   // Level away from the body, and down where the arm is too short for that.
   RIGLESS_COLD Vec3<S> led_out(const Hand& hand, const Vec3<S>& asked) const {
     Vec3<S> p = asked;
-    if (!(depth(p, hand.gap) > S(0))) return p;
     const S reach = std::max(hand.reach, (asked - hand.base).norm());
     for (int k = 0; k < 16; ++k) {
       const S in = depth(p, hand.gap);
-      if (in > S(0)) {
-        const Vec3<S> away = level(p - hand.inside), side = level(hand.base - hand.inside);
-        const Vec3<S> way = away.norm() > S(1e-3) * reach ? away : side;
-        p += in * way / std::max(way.norm(), S(1e-6));
-      }
+      if (!(in > S(0))) break;
+      const Vec3<S> away = level(p - hand.inside), side = level(hand.base - hand.inside);
+      const Vec3<S> way = away.norm() > S(1e-3) * reach ? away : side;
+      p += in * way / std::max(way.norm(), S(1e-6));
       const S far = (p - hand.base).norm();
       if (far > reach) p = hand.base + (p - hand.base) * (reach / far);
     }

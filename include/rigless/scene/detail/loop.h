@@ -23,13 +23,14 @@ S pose_distance(Span<const Vec3<S>> poses, std::size_t joints, std::size_t a, st
   return std::sqrt(sum / static_cast<S>(joints));
 }
 
+inline constexpr int shortest_loop = 8;  // frames in which anything can be said
+
 // After how many frames a clip of T frames begins again: T, or T - 1 where the last frame is the first once more; 0 if
 // the way from its end to its beginning is no step of its own. poses: T x J, body-local. No allocation.
 template <class S>
 std::int32_t loop_period(Span<const Vec3<S>> poses, std::size_t joints) {
-  constexpr std::size_t shortest = 8;  // frames in which anything can be said
   const std::size_t frames = poses.size() / joints;
-  if (frames < shortest) return 0;
+  if (frames < to_size(shortest_loop)) return 0;
   const auto step = [&](std::size_t a, std::size_t b) { return pose_distance(poses, joints, a, b); };
   S squares = 0;
   for (std::size_t f = 1; f < frames; ++f) squares += step(f - 1, f) * step(f - 1, f);
