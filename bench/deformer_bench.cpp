@@ -198,7 +198,7 @@ void controls(Bench& bench, const Mesh& mesh) {
       runs);
   // Where the new one sits in the elimination tree decides what it costs, so try it in many places.
   const auto n = static_cast<std::size_t>(deformer.vertices());
-  for (const std::size_t size : {1, 150}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{150}}) {
     std::vector<std::vector<Control<float>>> more;
     for (std::size_t k = 0; k < 12; ++k) {
       more.push_back(pull.controls);

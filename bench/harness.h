@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "rigless/math/types.h"  // clang declares posix_memalign once more among the vectors that Eigen includes
+
 namespace rigless_bench {
 
 inline std::int64_t allocations = 0;

@@ -54,7 +54,8 @@ void measure_performance(rigless_bench::Bench& bench, std::int32_t frames) {
   motion.clip.frames = frames;
   motion.clip.fps = 30;
   for (std::int32_t j = 0; j < joints; ++j) {
-    motion.clip.skeleton.names.push_back((j % 2 == 0 ? "l" : "r") + std::string("arm") + std::string(j / 2, 'x'));
+    motion.clip.skeleton.names.push_back((j % 2 == 0 ? "l" : "r") + std::string("arm") +
+                                         std::string(static_cast<std::size_t>(j / 2), 'x'));
     motion.clip.skeleton.parents.push_back(j - 1);
   }
   for (std::int32_t f = 0; f < frames; ++f) {

@@ -63,9 +63,7 @@ template <class T>
 std::string json_triples(const T& triples) {
   std::string out;
   for (const auto& t : triples) {
-    for (int k = 0; k < 3; ++k) {
-      out += (out.empty() ? "" : ",") + json(static_cast<double>(t[static_cast<std::size_t>(k)]));
-    }
+    for (const auto& x : t) out += (out.empty() ? "" : ",") + json(static_cast<double>(x));
   }
   return "[" + out + "]";
 }

@@ -25,10 +25,10 @@ compile_each() {  # root
   known=$(with_types)
   find rigless -path '*/detail/*.h' | sort > "$scratch/detail"
   {
-    for order in "sort" "sort -r"; do echo "-include $eigen $($order "$scratch/detail" | sed 's/^/-include /' | paste -sd ' ')"; done
+    for order in "sort" "sort -r"; do echo "-include $eigen $($order "$scratch/detail" | sed 's/^/-include /' | paste -sd ' ')"; done | sed 's/ *$//'
     grep -vxFf "$scratch/detail" <<< "$known" | sed "s|^|-Winvalid-pch -include $eigen -include |"
     find rigless -name '*.h' | grep -vxFf "$scratch/detail" | grep -vxFf <(echo "$known") | sed 's/^/-include /'
-  } | xargs -P2 -L1 "${compile[@]}" -I. -x c++ -S -o /dev/null /dev/null
+  } | xargs -P2 -L1 "${compile[@]}" -I. -x c++ -fsyntax-only /dev/null
 }
 
 scratch=$(mktemp -d)
