@@ -17,11 +17,14 @@ rigless::Solid<float> solid;
 
 }  // namespace
 
-// positions: V x 3, stage; faces: F x 3. What is built is solid_info() and what follows it.
+// positions: V x 3, stage; faces: F x 3; part: V as in SolidOptions, or null. What is built is
+// solid_info() and what follows it.
 RIGLESS_EXPORT PackedStatus build_solid(const float* positions, std::int32_t vertices, const std::int32_t* faces,
-                                        std::int32_t face_count) {
+                                        std::int32_t face_count, const std::int32_t* part) {
+  rigless::SolidOptions options;
+  if (part != nullptr) options.part = {part, static_cast<std::size_t>(vertices)};
   return pack(rigless::build_solid<float>(view<rigless::Vec3<float>>(positions, vertices),
-                                          view<rigless::Face>(faces, face_count), {}, solid));
+                                          view<rigless::Face>(faces, face_count), options, solid));
 }
 
 RIGLESS_EXPORT const SolidInfo* solid_info() {
@@ -40,3 +43,4 @@ RIGLESS_EXPORT const std::int32_t* solid_element_of() { return solid.element_of.
 RIGLESS_EXPORT const std::int32_t* solid_first() { return solid.ring.first.data(); }
 RIGLESS_EXPORT const std::int32_t* solid_neighbors() { return solid.ring.neighbor.data(); }
 RIGLESS_EXPORT const float* solid_weights() { return solid.weight.data(); }
+RIGLESS_EXPORT const std::int32_t* solid_parts() { return solid.part.data(); }  // N

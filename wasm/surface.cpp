@@ -49,7 +49,8 @@ RIGLESS_EXPORT PackedStatus body_set_solid_mesh(ObjectHandle body, const float* 
                                                 const float* nodes, std::int32_t node_count,
                                                 const std::int32_t* elements, std::int32_t element_count,
                                                 const std::int32_t* element_of, const std::int32_t* first,
-                                                const std::int32_t* neighbors, const float* weights) {
+                                                const std::int32_t* neighbors, const float* weights,
+                                                const std::int32_t* parts) {
   rigless::Solid<float> solid;
   const auto take = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
   solid.cell = static_cast<float>(cell);
@@ -59,6 +60,7 @@ RIGLESS_EXPORT PackedStatus body_set_solid_mesh(ObjectHandle body, const float* 
   take(solid.ring.first, view<std::int32_t>(first, node_count + 1));
   take(solid.ring.neighbor, view<std::int32_t>(neighbors, solid.ring.first.back()));
   take(solid.weight, view<float>(weights, solid.ring.first.back()));
+  take(solid.part, view<std::int32_t>(parts, node_count));
   return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
                                     std::move(solid)));
 }

@@ -124,6 +124,33 @@ TEST_CASE("a shell of two legs close together parts them too") {
   CHECK(common(nodes_under(solid, tongs, below(1)), nodes_under(solid, tongs, below(-1))) == 0);
 }
 
+TEST_CASE("parts that cross are filled for each, and hang together by what goes with both") {
+  Model<double> m = ball<double>({0, 1, 0}, {.3, .6, .2});
+  m.add(ball<double>({.33, 1, 0}, {.1, .5, .1}));  // an arm that dips into the trunk all the way down
+  const Solid<double> grown = solid_of(m);
+  SolidOptions options;
+  std::vector<std::int32_t> part;
+  const std::size_t arm = m.vertices.size() / 2;
+  for (std::size_t v = 0; v < m.vertices.size(); ++v) {
+    part.push_back(v < arm ? 0 : m.vertices[v].y() > 1.25 ? -1 : 1);
+  }
+  options.part = part;
+  const Solid<double> solid = solid_of(m, options);
+  check_solid(solid, m);
+  CHECK(bridges(solid) == 0);
+  const auto under = [&](const Solid<double>& of, bool is_arm, double low, double high) {
+    std::set<std::int32_t> nodes;
+    for (std::size_t v = is_arm ? arm : 0; v < (is_arm ? m.vertices.size() : arm); ++v) {
+      if (m.vertices[v].y() < low || m.vertices[v].y() > high) continue;
+      for (const std::int32_t n : nth(of.element, of.element_of[v])) nodes.insert(n);
+    }
+    return nodes;
+  };
+  CHECK(common(under(grown, true, .6, 1.1), under(grown, false, .6, 1.1)) > 20);
+  CHECK(common(under(solid, true, .6, 1.1), under(solid, false, .6, 1.1)) == 0);
+  CHECK(common(under(solid, true, 1.25, 2), under(solid, false, 1.25, 2)) > 10);
+}
+
 TEST_CASE("boots side by side in neighbouring voxels stay two") {
   Model<double> m = ball<double>({0, 1, 0}, {.5, .5, .3});
   m.add(ball<double>({.3, .3, 0}, {.12, .45, .12}));
@@ -286,7 +313,7 @@ TEST_CASE("bad models end with an error, extreme ones end") {
 TEST_CASE("as many nodes as wanted") {
   const Model<float> m = mannequin(0.02f);
   for (const int wanted : {1500, 3000, 6000}) {
-    CHECK(solid_of(m, {wanted}).nodes() == doctest::Approx(wanted).epsilon(0.25));
+    CHECK(solid_of(m, {wanted, {}}).nodes() == doctest::Approx(wanted).epsilon(0.25));
   }
 }
 

@@ -11,6 +11,10 @@ namespace rigless {
 
 struct SolidOptions {
   std::int32_t nodes = 3000;  // about that many come out: 2,000 to 4,000 are fine for a body, fewer fuse its fingers
+  // V, or empty: which part a vertex is of, 0 for the trunk, l > 0 for limb l, -l for where that begins. A limb and the
+  // trunk, or another limb, get cubes of their own also where they touch or cross, as an arm and the trunk beside it
+  // do.
+  Span<const std::int32_t> part;
 };
 
 // A solid from V vertices and F faces: soup, open, wound either way, many shells. What is far from the rest and a
@@ -21,6 +25,7 @@ struct SolidOptions {
 template <class S>
 RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> faces, const SolidOptions& options,
                                 Solid<S>& out) {
+  RIGLESS_ASSERT(options.part.empty() || options.part.size() == vertices.size());
   if (const Status s = detail::check_faces(faces, count_of(vertices)); !s.ok()) return s;
   Vec3<S> low = nth(vertices, faces[0][0]), high = low;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -35,11 +40,12 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   const S size = (high - low).maxCoeff(), far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
   constexpr S least = S(1e6) * std::numeric_limits<S>::min(), precise = S(1e3) * std::numeric_limits<S>::epsilon();
   if (!(size * size > least && size > precise * far)) return {Error::no_faces, -1};
-  const detail::Lattice lattice = detail::build_lattice<S>(vertices, faces, options.nodes);
+  const detail::Lattice lattice = detail::build_lattice<S>(vertices, faces, options.part, options.nodes);
   Solid<S> solid;
   solid.cell = static_cast<S>(lattice.grid.cell);
   for (const Vec3<double>& p : lattice.node) solid.rest.push_back(p.template cast<S>());
   solid.element = lattice.element;
+  solid.part = lattice.part;
   solid.inside = lattice.inside;
   solid.element_of = lattice.element_of;
   auto pairs = lattice.edges;

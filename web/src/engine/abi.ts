@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1853493376;
+export const ABI = 1240460373;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -401,6 +401,7 @@ export interface RiglessExports {
     first: Pointer<Integers>,
     neighbors: Pointer<Integers>,
     weights: Pointer<Float32Array>,
+    parts: Pointer<Integers>,
   ): PackedStatus;
   body_report(body: Handle): Pointer<BodyReport>;
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
@@ -510,7 +511,13 @@ export interface ShapeAnalysisExports {
   ): PackedStatus;
   shape(): Pointer<Shape>;
   shape_point(index: number): Pointer<ShapePoint>;
-  build_solid(positions: Pointer<Float32Array>, vertices: number, faces: Pointer<Integers>, faceCount: number): PackedStatus;
+  build_solid(
+    positions: Pointer<Float32Array>,
+    vertices: number,
+    faces: Pointer<Integers>,
+    faceCount: number,
+    part: Pointer<Integers>,
+  ): PackedStatus;
   solid_info(): Pointer<SolidInfo>;
   solid_nodes(): Pointer<Float32Array>;
   solid_elements(): Pointer<Integers>;
@@ -518,6 +525,7 @@ export interface ShapeAnalysisExports {
   solid_first(): Pointer<Integers>;
   solid_neighbors(): Pointer<Integers>;
   solid_weights(): Pointer<Float32Array>;
+  solid_parts(): Pointer<Integers>;
 }
 
 export interface SkinExports {

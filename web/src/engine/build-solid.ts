@@ -4,7 +4,7 @@ import { solidInfoRow } from "./abi";
 import { Heap } from "./heap";
 import { engineError } from "./messages";
 import type { SolidCells } from "../util/solid-cells";
-import type { MeshInput } from "./types";
+import type { BoundMeshInput } from "./types";
 import { instantiateShapeAnalysis } from "./wasm";
 
 /** What a body is solved by: the cells, and which nodes are joined how stiffly. */
@@ -13,13 +13,19 @@ export interface BuiltSolid extends SolidCells {
   first: Int32Array;
   neighbors: Int32Array;
   weights: Float32Array;
+  /** N: of which part a node is. */
+  partOf: Int32Array;
 }
 
+const NONE = new Int32Array(0);
+
 /** `wasm`: the bytes of shape-analysis.wasm. Errors (EngineError): bad_mesh. */
-export function buildSolid({ positions, faces }: MeshInput, wasm: ArrayBuffer): BuiltSolid {
+export function buildSolid({ positions, faces, parts }: BoundMeshInput, wasm: ArrayBuffer): BuiltSolid {
   const module = instantiateShapeAnalysis(wasm);
   const heap = new Heap(module);
-  const status = heap.lend([positions, faces], ([at, facesAt]) => module.build_solid(at, positions.length / 3, facesAt, faces.length / 3));
+  const status = heap.lend([positions, faces, parts ?? NONE], ([at, facesAt, partsAt]) =>
+    module.build_solid(at, positions.length / 3, facesAt, faces.length / 3, parts ? partsAt : 0),
+  );
   if (status !== 0) throw engineError(status, { kind: "mesh" });
   const { nodes, elements, edges, cell } = heap.read(solidInfoRow, module.solid_info());
   return {
@@ -30,5 +36,6 @@ export function buildSolid({ positions, faces }: MeshInput, wasm: ArrayBuffer): 
     first: heap.integers(module.solid_first(), nodes + 1),
     neighbors: heap.integers(module.solid_neighbors(), edges),
     weights: heap.floats(module.solid_weights(), edges),
+    partOf: heap.integers(module.solid_parts(), nodes),
   };
 }

@@ -32,14 +32,14 @@ export class Core {
     this.#body = wasm.body_new();
   }
 
-  setMesh({ mesh: { positions, faces }, wasm }: SetMeshInput): MeshReport {
+  setMesh({ mesh: { positions, faces, parts }, wasm }: SetMeshInput): MeshReport {
     if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
       throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
     }
     let solid: SolidCells | null = null;
     if (wasm) {
-      const { first, neighbors, weights, ...cells } = buildSolid({ positions, faces }, wasm);
-      this.#setSolidMesh(positions, faces, { ...cells, first, neighbors, weights });
+      const { first, neighbors, weights, partOf, ...cells } = buildSolid({ positions, faces, parts }, wasm);
+      this.#setSolidMesh(positions, faces, { ...cells, first, neighbors, weights, partOf });
       solid = cells;
     } else
       this.#heap.lend([positions, faces], ([at, facesAt]) => {
@@ -55,12 +55,12 @@ export class Core {
   }
 
   #setSolidMesh(positions: Float32Array, faces: Uint32Array, solid: BuiltSolid): void {
-    const { cell, nodes, elements, elementOf, first, neighbors, weights } = solid;
-    this.#heap.lend([positions, faces, nodes, elements, elementOf, first, neighbors, weights], ([at, facesAt, ...parts]) => {
-      const [nodesAt, elementsAt, elementOfAt, firstAt, neighborsAt, weightsAt] = parts;
+    const { cell, nodes, elements, elementOf, first, neighbors, weights, partOf } = solid;
+    this.#heap.lend([positions, faces, nodes, elements, elementOf, first, neighbors, weights, partOf], ([at, facesAt, ...parts]) => {
+      const [nodesAt, elementsAt, elementOfAt, firstAt, neighborsAt, weightsAt, partOfAt] = parts;
       const mesh = [at, positions.length / 3, facesAt, faces.length / 3] as const;
       const cells = [cell, nodesAt, nodes.length / 3, elementsAt, elements.length / 8, elementOfAt] as const;
-      const status = this.#wasm.body_set_solid_mesh(this.#body, ...mesh, ...cells, firstAt, neighborsAt, weightsAt);
+      const status = this.#wasm.body_set_solid_mesh(this.#body, ...mesh, ...cells, firstAt, neighborsAt, weightsAt, partOfAt);
       this.#check(status, { kind: "mesh" });
     });
   }

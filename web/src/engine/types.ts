@@ -19,6 +19,8 @@ export interface MeshInput {
 }
 
 export interface BoundMeshInput extends MeshInput {
+  /** V: of which part each vertex is, as in limbParts; parts that touch or cross do not grow together in a solid. */
+  parts?: Int32Array | null;
   /** What is solved: the surface itself, or a solid inside it that carries it; default "surface". */
   solve?: Solve;
 }

@@ -2,7 +2,9 @@
 
 import type { GltfDocument } from "../gltf/document";
 import type { NamedJoint } from "../sync/named-body";
+import { limbParts } from "../sync/limb-parts";
 import { jointsOf } from "./gltf/joints";
+import { movedBy } from "./gltf/moved-by";
 import { viewOf, type View } from "./gltf/view";
 
 export interface Model extends View {
@@ -11,6 +13,8 @@ export interface Model extends View {
   readonly document: GltfDocument;
   /** What the file calls its joints, or its parts; none where it names nothing. */
   readonly joints: readonly NamedJoint[];
+  /** V: which of its limbs a vertex is of, as in limbParts; null where its joints do not say. */
+  readonly parts: Int32Array | null;
   /** What was worked around, in plain words. */
   readonly notes: readonly string[];
 }
@@ -18,5 +22,7 @@ export interface Model extends View {
 /** Errors (ModelError): as viewOf. */
 export function modelOf(name: string, document: GltfDocument, notes: string[]): Model {
   const view = viewOf(name, document, notes);
-  return { name, document, ...view, joints: jointsOf(document, view), notes };
+  const named = jointsOf(document, view);
+  const parts = limbParts(view.positions, named.joints, movedBy(document, view, named));
+  return { name, document, ...view, joints: named.joints, parts, notes };
 }

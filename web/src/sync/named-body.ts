@@ -36,6 +36,8 @@ export interface NamedLimb {
   /** The way on from there where the joints stop short of the end. */
   onwards: Place | null;
   toes: Place | null;
+  /** All that hang on it. */
+  joints: readonly number[];
 }
 
 interface Bounds {
@@ -136,6 +138,8 @@ class NamedBodyReader {
     };
     const all = this.joints.flatMap((_, j) => (inGroup.has(j) || hangs(j) ? [j] : []));
     const from = this.at(base);
+    const own = new Set(group);
+    this.joints.forEach(({ parent }, j) => void (parent !== null && own.has(parent) && own.add(j))); // parents come before
     const farthest = (some: readonly number[]): number => some.reduce((a, b) => (far(this.at(b), from) > far(this.at(a), from) ? b : a));
     const end = farthest(all);
     const { part } = this.names[end];
@@ -153,6 +157,7 @@ class NamedBodyReader {
       end: this.at(end),
       onwards: short ? minus(this.at(end), this.at(last)) : null,
       toes: ankles.length > 0 && tips.length > 0 ? minus(mean(tips.map((j) => this.at(j))), this.at(ankles[0])) : null,
+      joints: [...own],
     };
   }
 

@@ -15,6 +15,8 @@ export interface SolverModel {
   readonly name?: string;
   /** Of the skeleton that its file brings, if it does. */
   readonly joints?: readonly NamedJoint[];
+  /** V: which of its limbs a vertex is of, as in limbParts. */
+  readonly parts?: Int32Array | null;
 }
 
 const BOUNDS = new WeakMap<SolverModel, Bounds>();

@@ -23,7 +23,7 @@ import { exampleControls, own, pointPartners, pointVertices } from "./point-cont
 export const solveOf = (mesh: MeshRef): Solve => mesh.solve ?? "surface";
 
 export function meshInput(model: SolverModel, mesh: MeshRef): BoundMeshInput {
-  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces, solve: solveOf(mesh) };
+  return { positions: toStage(stageFor(model, mesh), model.positions), faces: model.faces, parts: model.parts, solve: solveOf(mesh) };
 }
 
 export function controlInputs(model: SolverModel, document: Pick<ProjectDocument, "points">): ControlInput[] {

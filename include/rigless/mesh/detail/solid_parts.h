@@ -17,7 +17,8 @@ struct Solid {
   std::vector<std::int32_t> element_of;  // V: the element that carries a vertex, or -1: it stays where it is
   // The graph that is solved: edges of elements with weight 1, and bridges to parts that float.
   OneRing ring;
-  std::vector<S> weight;  // of directed edges, symmetric, above 0
+  std::vector<S> weight;           // of directed edges, symmetric, above 0
+  std::vector<std::int32_t> part;  // N: as SolidOptions have it for vertices, or detail::any_part
 
   static constexpr S bridge = S(0.02);  // weight of a bridge to what is not near
 

@@ -27,11 +27,22 @@ struct Elements {
   std::vector<std::int32_t> of_piece;
   std::vector<std::int32_t> first_piece, piece_of;  // elements + 1, and the pieces of each
 
+  Span<const std::int32_t> pieces_of(std::int32_t e) const {
+    const auto from = to_size(nth(first_piece, e));
+    return {piece_of.data() + from, to_size(first_piece[to_size(e) + 1]) - from};
+  }
   std::int32_t count_in(std::int32_t v) const { return first[to_size(v) + 1] - nth(first, v); }
 };
 
-// Joins the pieces of one voxel: of the same shell over material, of others unless there is a gap. Where there are more
-// than 24, the small ones go with the nearest of the large.
+// Whether an inside that lies this way is behind one of some pieces, or there are none that could hide it.
+inline bool lies_behind(const Pieces& pieces, Span<const std::int32_t> of, const Point& way) {
+  bool is_behind = of.empty();
+  for (const std::int32_t p : of) is_behind = is_behind || nth(pieces.piece, p).normal.dot(way) <= 0;
+  return is_behind;
+}
+
+// Joins the pieces of one voxel, if not of two parts: of the same shell over material, of others unless there is a gap.
+// Where there are more than 24, the small ones go with the nearest of the large.
 inline void join_pieces(Span<const Piece> pieces, DisjointSets& sets) {
   constexpr std::size_t most = 24;
   sets.reset(pieces.size());
@@ -46,6 +57,7 @@ inline void join_pieces(Span<const Piece> pieces, DisjointSets& sets) {
   for (std::size_t i = 0; i < large; ++i) {
     for (std::size_t j = i + 1; j < large; ++j) {
       const Piece &a = nth(pieces, order[i]), &b = nth(pieces, order[j]);
+      if (parted(a.part, b.part)) continue;
       const Between what = between(a, b);
       if (a.shell == b.shell ? what == Between::material : what != Between::gap) sets.unite(order[i], order[j]);
     }

@@ -8,8 +8,10 @@ namespace rigless::detail {
 // Decides which elements of neighbouring voxels are joined, and unites the corners that these have in common.
 class NodeJoiner {
  public:
-  NodeJoiner(const Voxels& voxels, const Pieces& pieces, const Elements& elements)
-      : voxels_(voxels), pieces_(pieces), elements_(elements), corners_(8 * elements.voxel.size()) {}
+  // part: of each element.
+  NodeJoiner(const Voxels& voxels, const Pieces& pieces, const Elements& elements,
+             const std::vector<std::int32_t>& part)
+      : voxels_(voxels), pieces_(pieces), elements_(elements), part_(part), corners_(8 * elements.voxel.size()) {}
 
   // The node at each corner of each element, numbered as they come; gives their number. Allocates.
   RIGLESS_COLD std::int32_t join(std::vector<std::array<std::int32_t, 8>>& node) {
@@ -48,13 +50,13 @@ class NodeJoiner {
       if (!voxels_.solid(v)) continue;
       const bool over_face = by[0] * by[0] + by[1] * by[1] + by[2] * by[2] == 1;
       for (std::int32_t f = nth(elements_.first, v); f < elements_.first[to_size(v) + 1]; ++f) {
-        if (joined(e, f, over_face, Point(by[0], by[1], by[2]))) unite(e, f);
+        if (!parted(nth(part_, e), nth(part_, f)) && joined(e, f, over_face, Point(by[0], by[1], by[2]))) unite(e, f);
       }
     }
   }
 
   bool joined(std::int32_t e, std::int32_t f, bool over_face, const Point& way) const {
-    const Span<const std::int32_t> of_e = pieces_of(e), of_f = pieces_of(f);
+    const Span<const std::int32_t> of_e = elements_.pieces_of(e), of_f = elements_.pieces_of(f);
     if (of_e.empty() && of_f.empty()) return over_face;
     if (of_e.empty()) return over_face && shows_away(f, of_f, -way);
     if (of_f.empty()) return over_face && shows_away(e, of_e, way);
@@ -74,16 +76,7 @@ class NodeJoiner {
 
   // A surface goes with an inside behind it; where nothing else is in its voxel, with any.
   bool shows_away(std::int32_t surface, Span<const std::int32_t> pieces, const Point& to_inside) const {
-    if (elements_.count_in(nth(elements_.voxel, surface)) == 1) return true;
-    for (const std::int32_t p : pieces) {
-      if (nth(pieces_.piece, p).normal.dot(to_inside) <= 0) return true;
-    }
-    return false;
-  }
-
-  Span<const std::int32_t> pieces_of(std::int32_t e) const {
-    const auto from = to_size(nth(elements_.first_piece, e));
-    return {elements_.piece_of.data() + from, to_size(elements_.first_piece[to_size(e) + 1]) - from};
+    return elements_.count_in(nth(elements_.voxel, surface)) == 1 || lies_behind(pieces_, pieces, to_inside);
   }
 
   // Unites common corners; voxels that are no neighbours have none.
@@ -111,6 +104,7 @@ class NodeJoiner {
   const Voxels& voxels_;
   const Pieces& pieces_;
   const Elements& elements_;
+  const std::vector<std::int32_t>& part_;
   DisjointSets corners_;
 };
 

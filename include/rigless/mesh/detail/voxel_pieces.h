@@ -19,6 +19,7 @@ struct Piece {
   Point normal = Point::Zero();  // of length 1, outwards; 0 where nobody knows
   double area = 0;
   std::int32_t shell = -1;
+  std::int32_t part = no_part;
 };
 
 struct Pieces {
@@ -172,6 +173,7 @@ class PieceFinder {
       piece.middle += area * Point(share.middle[0], share.middle[1], share.middle[2]);
       piece.shell = nth(sheets_.shell_of, share.face);
       const auto f = to_size(share.face);
+      join_part(piece.part, triangles_.part_of(triangles_.faces[f]));
       const std::array<Point, 3> t = triangles_.local(voxels_.grid, f);
       const Point normal = (t[1] - t[0]).cross(t[2] - t[0]);
       const double length = normal.norm();

@@ -1,6 +1,7 @@
 // A model as voxels of the size that gives as many nodes as are wanted.
 #pragma once
 
+#include "rigless/mesh/detail/parts.h"
 #include "rigless/mesh/detail/voxel_fill.h"
 
 namespace rigless::detail {
@@ -11,8 +12,15 @@ struct Triangles {
   Span<const Vec3<S>> vertices;
   Span<const Face> faces;
   const std::vector<char>& left_out;  // F, or empty
+  Span<const std::int32_t> part;      // V, or empty: none
 
   bool has(std::size_t f) const { return left_out.empty() || !left_out[f]; }
+  std::int32_t part_of(const Face& face) const {
+    std::int32_t own = part.empty() ? any_part : no_part;
+    if (!part.empty())
+      for (const std::int32_t v : face) join_part(own, nth(part, v));
+    return own;
+  }
   std::array<Point, 3> local(const VoxelGrid& grid, std::size_t f) const {
     return {grid.local(nth(vertices, faces[f][0])), grid.local(nth(vertices, faces[f][1])),
             grid.local(nth(vertices, faces[f][2]))};

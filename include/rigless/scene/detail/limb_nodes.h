@@ -92,12 +92,23 @@ NearestLimb<S> nearest_limb(Span<const LimbBones<S>> limbs, const TrunkShape<S>&
   return nearest;
 }
 
-// N: the nearest limb of each node, or -1. Allocates.
+// N: the nearest limb of each node, or -1: among those that it can be of, if it is known to be of a part. Allocates.
 template <class S>
 RIGLESS_COLD std::vector<std::int32_t> nearest_limbs(const Solid<S>& solid, Span<const LimbBones<S>> limbs,
                                                      const TrunkShape<S>& trunk, S most) {
   std::vector<std::int32_t> nearest;
-  for (const Vec3<S>& p : solid.rest) nearest.push_back(nearest_limb(limbs, trunk, p, most).limb);
+  for (std::int32_t i = 0; i < solid.nodes(); ++i) {
+    const Vec3<S>& p = nth(solid.rest, i);
+    std::int32_t own = nearest_limb(limbs, trunk, p, most).limb;
+    const std::int32_t part = nth(solid.part, i);
+    const auto part_of = [&](std::int32_t k) { return nth(solid.part, nth(limbs, k).node); };
+    if (own >= 0 && part != any_part && part_of(own) > 0 && part_of(own) != std::abs(part)) own = -1;
+    for (std::int32_t k = 0; k < count_of(limbs); ++k) {
+      const auto at = nth(limbs, k).place(p);
+      if (part > 0 && part == part_of(k) && at.along <= most && at.distance < S(3) * nth(limbs, k).thickness) own = k;
+    }
+    nearest.push_back(own);
+  }
   return nearest;
 }
 

@@ -5,6 +5,7 @@ import { count } from "../count";
 import { ModelError } from "../named-file";
 import { TupleTable } from "../../util/tuple-table";
 import { creasedNormals } from "./creased-normals";
+import { STRONGEST } from "./moved-by";
 import { INDICES, Packer, VERTICES } from "./packer";
 
 /** Triangles of one material as a file holds them. Parts may share arrays. */
@@ -21,6 +22,8 @@ export interface BuiltPart {
   readonly colors?: ArrayLike<number> | null;
   /** Sets of N x 2, v down as in glTF. */
   readonly uvs?: readonly ArrayLike<number>[];
+  /** N: which of the joints that the file brings moves a vertex most. */
+  readonly joints?: ArrayLike<number> | null;
   /** Which of the materials; without one it is clay. */
   readonly material?: number;
 }
@@ -126,6 +129,7 @@ function packPart(packer: Packer, part: BuiltPart, creased: Float32Array | null,
   if (creased) rows.push({ key: "NORMAL", width: 3, values: creased, byCorner: true });
   else if (part.normals) rows.push({ key: "NORMAL", width: 3, values: part.normals });
   uvs.forEach((values, set) => rows.push({ key: `TEXCOORD_${set}`, width: 2, values }));
+  if (part.joints) rows.push({ key: STRONGEST, width: 1, values: part.joints });
   if (colors) rows.push({ key: "COLOR_0", width: colors.length / n, values: colors });
 
   const width = rows.reduce((sum, row) => sum + row.width, 0);
@@ -164,7 +168,7 @@ function packRows(packer: Packer, rows: readonly Row[], kept: Float32Array, vert
     }
     from += row.width;
     if (row.key !== "POSITION" && !values.every(Number.isFinite)) continue; // nobody could draw it
-    const type = row.width === 2 ? "VEC2" : row.width === 3 ? "VEC3" : "VEC4";
+    const type = row.width === 1 ? "SCALAR" : row.width === 2 ? "VEC2" : row.width === 3 ? "VEC3" : "VEC4";
     attributes[row.key] = packer.accessor(values, type, { target: VERTICES, bounded: row.key === "POSITION" });
   }
   return attributes;

@@ -3,30 +3,35 @@ import type { NamedJoint } from "../../sync/named-body";
 import type { View } from "./view";
 import { sceneNodes, worldMatrices } from "./world";
 
+export interface FileJoints {
+  readonly joints: readonly NamedJoint[];
+  /** By node: its own joint, or that of what it hangs on. */
+  readonly ofNode: ReadonlyMap<number, number>;
+}
+
 /** The joints of all skins where the model stands, else the parts that it is made of, each with where it ends; parents come before. */
-export function jointsOf(document: GltfDocument, view: View): NamedJoint[] {
+export function jointsOf(document: GltfDocument, view: View): FileJoints {
   const { nodes = [], skins = [] } = document.json;
   const world = worldMatrices(document);
   const wanted = new Set(skins.flatMap(({ joints }) => joints));
   const parts = wanted.size > 0 ? null : partEnds(view);
   const shown = sceneNodes(document);
-  const rank = new Map<number, number>();
+  const ofNode = new Map<number, number>();
   const parents = new Map(shown.flatMap((node) => (nodes[node].children ?? []).map((child) => [child, node] as const)));
   const joints: NamedJoint[] = [];
   for (const node of shown) {
     const name = nodes[node].name ?? "";
+    const parent = ofNode.get(parents.get(node) ?? -1) ?? null;
+    if (parent !== null) ofNode.set(node, parent);
     if (!(parts ? parts.has(node) : wanted.has(node))) continue;
-    let above = parents.get(node);
-    while (above !== undefined && !rank.has(above)) above = parents.get(above);
-    const parent = above === undefined ? null : (rank.get(above) ?? null);
     const at = world[node];
     const position = [12, 13, 14].map((k) => at[k] - view.origin[k - 12]) as [number, number, number];
     const part = parts?.get(node);
     const joint = joints.push({ name, parent, position: part?.middle ?? position }) - 1;
-    rank.set(node, joint);
+    ofNode.set(node, joint);
     if (part) joints.push({ name: `${name} end`, parent: joint, position: part.end });
   }
-  return joints;
+  return { joints, ofNode };
 }
 
 type Place = [number, number, number];

@@ -31,17 +31,18 @@ export interface SceneParts {
 /** `materialOf` numbers a material; null for what is clay. What is hidden is left out, unless all is. */
 export function sceneParts(scene: Object3D, materialOf: (material: Material) => number | null): SceneParts {
   scene.updateMatrixWorld(true);
+  const { joints, ofBone } = jointsOf(scene);
   const found = { parts: [] as BuiltPart[], skinned: false, morphed: false, others: 0 };
   const take = (object: Object3D): void => {
     if (isMesh(object)) {
-      for (const matrix of placesOf(object)) found.parts.push(...meshParts(object, matrix, materialOf));
+      for (const matrix of placesOf(object)) found.parts.push(...meshParts(object, matrix, moversOf(object, ofBone), materialOf));
       found.skinned ||= isSkinned(object);
       found.morphed ||= (object.morphTargetInfluences ?? []).length > 0;
     } else if ("isLine" in object || "isPoints" in object) found.others++;
   };
   scene.traverseVisible(take);
   if (found.parts.length === 0) scene.traverse(take);
-  return { ...found, joints: jointsOf(scene) };
+  return { ...found, joints };
 }
 
 function isMesh(object: Object3D): object is Mesh {
@@ -64,14 +65,14 @@ function placesOf(mesh: Mesh): Matrix4[] {
   });
 }
 
-function meshParts(mesh: Mesh, matrix: Matrix4, materialOf: (material: Material) => number | null): BuiltPart[] {
+function meshParts(mesh: Mesh, matrix: Matrix4, joints: Int32Array | null, materialOf: (material: Material) => number | null): BuiltPart[] {
   const { geometry } = mesh;
   const { positions, normals } = posed(mesh, matrix);
   const uvs = ["uv", "uv1", "uv2", "uv3"].flatMap((key) => {
     const attribute = geometry.getAttribute(key) as Attribute | undefined;
     return attribute ? [flipped(attribute)] : [];
   });
-  const shared = { positions, normals, colors: colorsOf(geometry), uvs, ...(mesh.name && { name: mesh.name }) };
+  const shared = { positions, normals, joints, colors: colorsOf(geometry), uvs, ...(mesh.name && { name: mesh.name }) };
   const mirrored = matrix.determinant() < 0;
   return rangesOf(mesh).flatMap(({ material, start, count }) => {
     const index = trianglesOf(geometry, start, count, mirrored);
@@ -167,16 +168,37 @@ function unit(c: number): number {
   return c >= 0 ? Math.min(c, 1) : 0;
 }
 
-function jointsOf(scene: Object3D): NamedJoint[] {
+/** N: the joint that moves a vertex most; null where there are none. */
+function moversOf(mesh: Mesh, ofBone: ReadonlyMap<Object3D, number>): Int32Array | null {
+  if (ofBone.size === 0) return null;
+  let above: Object3D | null = mesh;
+  while (above && !ofBone.has(above)) above = above.parent;
+  const out = new Int32Array(mesh.geometry.getAttribute("position").count).fill(above ? (ofBone.get(above) ?? -1) : -1);
+  if (!isSkinned(mesh)) return out;
+  const [joints, weights] = [mesh.geometry.getAttribute("skinIndex"), mesh.geometry.getAttribute("skinWeight")];
+  for (let v = 0; v < out.length; v++) {
+    let [best, most] = [-1, 0];
+    for (let k = 0; k < 4; k++) {
+      const weight = weights.getComponent(v, k);
+      if (weight > most) [best, most] = [joints.getComponent(v, k), weight];
+    }
+    out[v] = ofBone.get(mesh.skeleton.bones[best]) ?? -1;
+  }
+  return out;
+}
+
+function jointsOf(scene: Object3D): { joints: NamedJoint[]; ofBone: ReadonlyMap<Object3D, number> } {
   const joints: NamedJoint[] = [];
+  const ofBone = new Map<Object3D, number>();
   const visit = (object: Object3D, parent: number | null): void => {
     let own = parent;
     if ("isBone" in object) {
       const { x, y, z } = new Vector3().setFromMatrixPosition(object.matrixWorld);
       own = joints.push({ name: object.name, parent, position: [x, y, z] }) - 1;
+      ofBone.set(object, own);
     }
     for (const child of object.children) visit(child, own);
   };
   visit(scene, null);
-  return joints;
+  return { joints, ofBone };
 }
