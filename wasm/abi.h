@@ -148,6 +148,14 @@ struct SkinInfo {
   Number normals;  // radians, rms
 };
 
+// Morph targets for frames of a mesh.
+struct MorphInfo {
+  Number targets;  // K
+  Number frames;   // F
+  Number rms;      // of all vertices in all frames, in diagonals
+  Number worst;    // the same
+};
+
 struct BakeRoot {
   Vector position;      // of the body's origin in the world
   Number yaw;           // radians

@@ -1,10 +1,12 @@
-// A skin for a mesh that moves: a module of its own, which only those load who take a dance with them. Float32 inside
-// and out. Built for speed.
+// A skin or morph targets for a mesh that moves: a module of its own, which only those load who take a dance with them.
+// Float32 inside and out. Built for speed.
 
 #include "exports.h"
+#include "rigless/skin/detail/morph_builder.h"
 #include "rigless/skin/skin_builder.h"
 
 using rigless_wasm::answer;
+using rigless_wasm::MorphInfo;
 using rigless_wasm::pack;
 using rigless_wasm::PackedStatus;
 using rigless_wasm::SkinInfo;
@@ -13,6 +15,7 @@ using rigless_wasm::view;
 namespace {
 
 rigless::SkinBuilder<float> builder;
+rigless::detail::MorphBuilder<float> morph_builder;
 std::int32_t vertex_count = 0;
 
 using Pose = rigless::Skin<float>::Pose;
@@ -56,3 +59,35 @@ RIGLESS_EXPORT const std::int32_t* skin_joints() { return builder.skin().joint.d
 RIGLESS_EXPORT const float* skin_weights() { return builder.skin().weight.data(); }
 RIGLESS_EXPORT const float* skin_roots() { return builder.skin().root.data()->turn.coeffs().data(); }
 RIGLESS_EXPORT const float* skin_poses() { return builder.skin().pose.data()->turn.coeffs().data(); }
+
+// The same for morph targets: `targets` at most.
+RIGLESS_EXPORT PackedStatus begin_morphs(const float* positions, std::int32_t vertices, std::int32_t targets) {
+  rigless::detail::MorphOptions options;
+  options.targets = targets;
+  vertex_count = vertices;
+  return pack(morph_builder.begin(view<rigless::Vec3<float>>(positions, vertices), options));
+}
+
+// V x 3
+RIGLESS_EXPORT PackedStatus add_morph_frame(const float* positions) {
+  return pack(morph_builder.add_frame(view<rigless::Vec3<float>>(positions, vertex_count)));
+}
+
+RIGLESS_EXPORT std::int32_t advance_morphs() { return morph_builder.advance() ? 1 : 0; }
+
+RIGLESS_EXPORT double morph_progress() { return morph_builder.progress(); }
+
+RIGLESS_EXPORT const MorphInfo* morph_info() {
+  const rigless::detail::Morphs<float>& morphs = morph_builder.morphs();
+  return answer<MorphInfo>({
+      .targets = morphs.targets,
+      .frames = morphs.root.size(),
+      .rms = morphs.rms,
+      .worst = morphs.worst,
+  });
+}
+
+// K x V x 3; F x K; F x 7
+RIGLESS_EXPORT const float* morph_ways() { return morph_builder.morphs().way.data()->data(); }
+RIGLESS_EXPORT const float* morph_weights() { return morph_builder.morphs().weight.data(); }
+RIGLESS_EXPORT const float* morph_roots() { return morph_builder.morphs().root.data()->turn.coeffs().data(); }

@@ -5,6 +5,7 @@
 
 #include "rigless/skin/detail/joint_growth.h"
 #include "rigless/skin/detail/moving_points.h"
+#include "rigless/skin/detail/rigid_pose.h"
 #include "rigless/skin/detail/skin_likeness.h"
 
 namespace rigless {
@@ -22,10 +23,8 @@ template <class S>
 struct Skin {
   static constexpr std::int32_t influences = detail::skin_influences;
 
-  struct Pose {
-    Eigen::Quaternion<S, Eigen::DontAlign> turn;  // the same sign from frame to frame
-    Vec3<S> place;                                // where the joint's centre goes
-  };
+  // How a joint is turned, with the same sign from frame to frame, and where its centre goes.
+  using Pose = detail::RigidPose<S>;
 
   std::vector<Vec3<S>> centre;      // J, at rest: in the middle of what it carries
   std::vector<std::int32_t> joint;  // V x 4; 0 where the weight is
@@ -186,23 +185,14 @@ class SkinBuilder {
     }
     poses_.fit([&](std::size_t i) -> const Vec3<double>& { return present[i]; });
     measure_.add(poses_, present);
-    add_pose(skin_.root, 1, points_.roots[posed_].R, points_.roots[posed_].t);
+    detail::add_pose(skin_.root, 1, points_.roots[posed_].R, points_.roots[posed_].t);
     for (std::size_t j = 0; j < poses_.pose.size(); ++j) {
       const detail::JointMotion& D = poses_.pose[j];
       const Vec3<double> centre = skin_.centre[j].template cast<double>();
       const Vec3<double> place = centre + D * detail::lifted(centre);
-      add_pose(skin_.pose, poses_.pose.size(), D.template leftCols<3>() + Mat3<double>::Identity(), place);
+      detail::add_pose(skin_.pose, poses_.pose.size(), D.template leftCols<3>() + Mat3<double>::Identity(), place);
     }
     return ++posed_ == points_.roots.size();
-  }
-
-  static void add_pose(std::vector<typename Skin<S>::Pose>& to, std::size_t step, const Mat3<double>& R,
-                       const Vec3<double>& place) {
-    Eigen::Quaternion<double> q(R);
-    q.normalize();
-    Eigen::Quaternion<S, Eigen::DontAlign> turn(q.template cast<S>());
-    if (to.size() >= step && to[to.size() - step].turn.dot(turn) < 0) turn.coeffs() = -turn.coeffs();
-    to.push_back({turn, place.template cast<S>()});
   }
 
   // False when more joints are worth a try: what the sample said was not true of all.

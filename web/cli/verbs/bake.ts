@@ -3,7 +3,7 @@
 import { saidOf } from "../../src/document/clips";
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
-import { buildSkinInNode } from "../../src/engine/skin-node";
+import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { FPS, type Motion } from "../../src/engine/types";
 import { count } from "../../src/io/count";
 import { everyFor, exportDance, keptOf, lengthsOf, sayLikeness, sayReplaced, sizeFault } from "../../src/io/export-dance";
@@ -101,7 +101,12 @@ function commandOf(args: readonly string[]): BakeCommand {
   const every = Number(values.every ?? 1);
   if (!Number.isInteger(every) || every < 1) throw new UsageError(`--every should be a whole number from 1, but it is "${values.every}".`);
   const profile = PROFILES.find(({ id }) => id === (values.profile ?? PROFILES[0].id));
-  if (!profile) throw new UsageError(`--profile should be ${PROFILES.map(({ id }) => id).join(" or ")}, but it is "${values.profile}".`);
+  if (!profile)
+    throw new UsageError(
+      `--profile should be ${PROFILES.map(({ id }) => id)
+        .join(", ")
+        .replace(/, (?=[^,]*$)/, " or ")}, but it is "${values.profile}".`,
+    );
   const fps = PACES.find((pace) => `${pace}` === (values.fps ?? `${FPS}`));
   if (fps === undefined) throw new UsageError(`--fps should be ${PACES.join(" or ")}, but it is "${values.fps}".`);
   const [out, clip, track] = [values.out ?? null, values.clip ?? null, values.track ?? null];
@@ -178,6 +183,7 @@ function nameOf({ document }: BakeInputs, motions: readonly FoundMotion[], motio
 interface Report {
   bytes: number | null;
   joints: number | null;
+  targets: number | null;
   rms: number | null;
   worst: number | null;
 }
@@ -192,7 +198,12 @@ async function writeGlb(
   const { progress, profile, every, out, fps } = command;
   progress.step("Writing");
   const name = document.name || clips[0].name;
-  const tools = { buildSkin: buildSkinInNode, signal, onProgress: (done: number) => progress.step("Writing", done) };
+  const tools = {
+    buildSkin: buildSkinInNode,
+    buildMorphs: buildMorphsInNode,
+    signal,
+    onProgress: (done: number) => progress.step("Writing", done),
+  };
   const dance = { name, model, mesh: document.mesh, points: document.points, clips, fps };
   const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
   await outputs.add(out, glb);
@@ -213,6 +224,7 @@ async function writeGlb(
 
 const figures = (likeness: Likeness | null): Omit<Report, "bytes"> => ({
   joints: likeness?.joints ?? null,
+  targets: likeness?.targets ?? null,
   rms: likeness?.rms ?? null,
   worst: likeness?.worst ?? null,
 });

@@ -3,7 +3,7 @@
 import { saidOf } from "../document/clips";
 import type { ProjectDocument } from "../document/types";
 import type { Frame } from "../engine/types";
-import { everyFor, exportDance, keptOf, lengthsOf, sayReplaced } from "../io/export-dance";
+import { everyFor, exportDance, keptOf, lengthsOf, sayReplaced, sayHolding } from "../io/export-dance";
 import { PACES, paced } from "../io/pace";
 import type { Likeness, Profile } from "../io/profile";
 import { PROFILES } from "../io/profiles";
@@ -18,7 +18,7 @@ import type { MotionEntry, Motions } from "./motions";
 import type { Ports } from "./ports";
 import type { Sources } from "./sources";
 
-export { PACES, PROFILES };
+export { PACES, PROFILES, sayHolding };
 
 export interface ExportHelpers {
   readonly sources: Sources;
@@ -64,7 +64,7 @@ export class Exporting {
   constructor(
     private readonly context: Context,
     private readonly helpers: ExportHelpers,
-    private readonly ports: Pick<Ports, "files" | "buildSkin">,
+    private readonly ports: Pick<Ports, "files" | "buildSkin" | "buildMorphs">,
   ) {}
 
   get motions(): readonly MotionEntry[] {
@@ -146,7 +146,7 @@ export class Exporting {
     const every = everyFor(lengths, wish.profile);
     const onProgress = (done: number): void => progress("Fit and write", FITTING + (1 - FITTING) * done);
     onProgress(0);
-    const tools = { buildSkin: this.ports.buildSkin, signal, onProgress };
+    const tools = { buildSkin: this.ports.buildSkin, buildMorphs: this.ports.buildMorphs, signal, onProgress };
     const { bytes, likeness } = await exportDance({ name, model, mesh, points, clips, fps: wish.fps }, every, tools, wish.profile);
     signal.throwIfAborted();
     const replaced = sayReplaced(model);

@@ -2,7 +2,7 @@
 
 import type { ProjectDocument } from "../document/types";
 import type { Steps } from "../document/store";
-import type { BuildSkin, Engine, MotionInput } from "../engine/types";
+import type { BuildMorphs, BuildSkin, Engine, MotionInput } from "../engine/types";
 import type { FoundClip } from "../io/clips/found-clip";
 import type { Model } from "../io/model";
 import type { NamedFile } from "../io/named-file";
@@ -124,6 +124,7 @@ export interface Ports {
   ) => Promise<FoundClip[]>;
   /** As engine/build-skin.ts, wherever it runs. */
   readonly buildSkin: BuildSkin;
+  readonly buildMorphs: BuildMorphs;
   /** Nothing begins to move by itself. */
   readonly calm: boolean;
 }

@@ -11,7 +11,7 @@ export class Saving {
   constructor(
     private readonly context: Context,
     private readonly helpers: ExportHelpers,
-    private readonly ports: Pick<Ports, "files" | "buildSkin">,
+    private readonly ports: Pick<Ports, "files" | "buildSkin" | "buildMorphs">,
   ) {}
 
   async save(): Promise<void> {

@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1240460373;
+export const ABI = 1878689844;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -143,6 +143,20 @@ export const skinInfoRow: Row<SkinInfo> = {
   doubles: 5,
   read: (n) => ({ joints: n[0], frames: n[1], rms: n[2], worst: n[3], normals: n[4] }),
 };
+
+/** Morph targets for frames of a mesh. */
+export interface MorphInfo {
+  /** K. */
+  targets: number;
+  /** F. */
+  frames: number;
+  /** Of all vertices in all frames, in diagonals. */
+  rms: number;
+  /** The same. */
+  worst: number;
+}
+
+export const morphInfoRow: Row<MorphInfo> = { doubles: 4, read: (n) => ({ targets: n[0], frames: n[1], rms: n[2], worst: n[3] }) };
 
 export interface BakeRoot {
   /** Of the body's origin in the world. */
@@ -544,4 +558,12 @@ export interface SkinExports {
   skin_weights(): Pointer<Float32Array>;
   skin_roots(): Pointer<Float32Array>;
   skin_poses(): Pointer<Float32Array>;
+  begin_morphs(positions: Pointer<Float32Array>, vertices: number, targets: number): PackedStatus;
+  add_morph_frame(positions: Pointer<Float32Array>): PackedStatus;
+  advance_morphs(): number;
+  morph_progress(): number;
+  morph_info(): Pointer<MorphInfo>;
+  morph_ways(): Pointer<Float32Array>;
+  morph_weights(): Pointer<Float32Array>;
+  morph_roots(): Pointer<Float32Array>;
 }

@@ -293,8 +293,24 @@ export interface BuiltSkin {
   normals: number;
 }
 
+/** V vertices, F frames. */
+export interface MorphsInput extends Pick<SkinInput, "positions" | "frames"> {
+  /** At most so many: the fewest that are like the frames to .13 % rms and .8 % in the worst place, if so many do. */
+  targets: number;
+}
+
+/** K targets. Vertex v is at root (rest + sum_k weight_k way_k). */
+export interface BuiltMorphs extends Pick<BuiltSkin, "roots" | "rms" | "worst"> {
+  /** K x V x 3. */
+  ways: Float32Array;
+  /** F x K: of each the largest is 1 or -1. */
+  weights: Float32Array;
+}
+
 /** Wherever it runs. Rejects with EngineError: bad_mesh, out_of_memory; on abort with the signal's reason. */
 export type BuildSkin = (input: SkinInput, options?: CallOptions) => Promise<BuiltSkin>;
+/** As that one. */
+export type BuildMorphs = (input: MorphsInput, options?: CallOptions) => Promise<BuiltMorphs>;
 
 export interface Engine {
   /** Binds a mesh; forgets controls. Rejects with bad_mesh; the previous mesh stays. */

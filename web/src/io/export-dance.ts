@@ -5,6 +5,7 @@ import type { MeshRef, Point } from "../document/types";
 import { FPS } from "../engine/types";
 import { stageFor } from "../sync/placement";
 import { meshInput } from "../sync/translate";
+import { count } from "./count";
 import type { Model } from "./model";
 import { ModelError } from "./named-file";
 import type { Likeness, Profile, Tools, Written } from "./profile";
@@ -48,12 +49,17 @@ export async function exportDance(
 
 export const lengthsOf = (clips: readonly Clip[]): number[] => clips.map(({ frames }) => frames.length);
 
-/** In words: how many joints there are, and how like the file is to the dance. */
-export function sayLikeness({ joints, rms, worst, normals }: Likeness): string {
+/** "22 joints" */
+export function sayHolding({ joints, targets }: Likeness): string {
+  return joints === undefined ? count(targets ?? 0, "morph target") : count(joints, "joint");
+}
+
+/** In words: what holds the dance, and how like the file is to it. */
+export function sayLikeness({ rms, worst, normals, ...held }: Likeness): string {
   const share = (of: number): string => `${(100 * of).toFixed(2)} %`;
   const degrees = ((normals * 180) / Math.PI).toFixed(1);
   const places = `${share(rms)} of the model's size off on average, ${share(worst)} in the worst place`;
-  return `${joints} joints; ${places}; light ${degrees} degrees off`;
+  return `${sayHolding({ rms, worst, normals, ...held })}; ${places}; light ${degrees} degrees off`;
 }
 
 /** What of the model's own file makes way for what is written, or null. */

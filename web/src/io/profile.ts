@@ -1,4 +1,4 @@
-import type { BuildSkin, CallOptions } from "../engine/types";
+import type { BuildMorphs, BuildSkin, CallOptions } from "../engine/types";
 import type { GlbInput } from "./write-glb";
 
 /** How like the file is to the dance: rms and worst in diagonals of the model at rest, normals in radians (rms). */
@@ -6,7 +6,9 @@ export interface Likeness {
   readonly rms: number;
   readonly worst: number;
   readonly normals: number;
-  readonly joints: number;
+  /** Of either, how many hold it. */
+  readonly joints?: number;
+  readonly targets?: number;
 }
 
 export interface Written {
@@ -18,6 +20,7 @@ export interface Written {
 /** What a profile may ask for beside the dance. */
 export interface Tools extends CallOptions {
   readonly buildSkin: BuildSkin;
+  readonly buildMorphs: BuildMorphs;
 }
 
 /** A kind of file that a dance is exported as. profiles.ts is the table of them. */

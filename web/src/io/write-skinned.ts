@@ -1,12 +1,13 @@
 // A GLB with a skin: few joints under one that carries the whole body, as games want it. Core glTF 2.0.
 
 import { dressBare } from "../gltf/bare";
-import type { GltfAnimation, GltfNode } from "../gltf/document";
+import type { GltfNode } from "../gltf/document";
 import type { BuiltSkin } from "../engine/types";
 import type { DrawnInstance } from "../gltf/drawn";
 import { ownOf, Shapes } from "./drawn-shape";
 import { type NewMotion, packGlb, type Put, withGeometry } from "./gltf/write";
-import { clipName, type GlbInput, keptClips, numbered, timesOf } from "./write-glb";
+import { PoseTracks } from "./pose-tracks";
+import { clipName, type GlbInput, keptClips, numbered } from "./write-glb";
 
 /** Bytes of a file with so many render vertices and kept frames, about. */
 export function skinnedBytes(vertices: number, kept: number): number {
@@ -51,7 +52,7 @@ export function writeSkinned(
     });
     const skins = [{ name, skeleton: root, joints, inverseBindMatrices: put(inverse, "MAT4") }];
     const animations = keptClips(clips, every).map(({ name, kept, from }) => {
-      const tracks = new Tracks(name, put, kept, fps, scale);
+      const tracks = new PoseTracks(name, put, kept, fps, scale);
       tracks.add(root, skin.roots, 7, 7 * from, [0, 0, 0]);
       centres.forEach((centre, j) => tracks.add(joints[j], skin.poses, 7 * count, 7 * (count * from + j), centre));
       return tracks.animation();
@@ -96,50 +97,4 @@ function namesOf(centres: Float32Array, places: GlbInput["places"]): string[] {
     const nearest = places.reduce<GlbInput["places"][number] | null>((a, b) => (a && away(a) <= away(b) ? a : b), null);
     return numbered(clipName(nearest?.name ?? "joint"), taken);
   });
-}
-
-/** Turns by less than a step of a short, and ways of less than this share of the model's height, are none. */
-const STILL = 3e-5;
-
-class Tracks {
-  private readonly channels: unknown[] = [];
-  private readonly samplers: { input: number; output: number; interpolation: string }[] = [];
-  private times: number | null = null;
-
-  constructor(
-    private readonly name: string,
-    private readonly put: Put,
-    private readonly kept: readonly number[],
-    private readonly fps: number,
-    private readonly scale: number,
-  ) {}
-
-  /** Tracks of one node, of poses that begin at `from` in rows of `stride`; none for what stays as it is at rest. */
-  add(node: number, poses: Float32Array, stride: number, from: number, rest: readonly number[]): void {
-    const turns = new Int16Array(4 * this.kept.length);
-    const ways = new Float32Array(3 * this.kept.length);
-    let turned = 0;
-    let moved = 0;
-    this.kept.forEach((f, n) => {
-      const at = f * stride + from;
-      for (let k = 0; k < 4; k++) turns[4 * n + k] = Math.round(32767 * poses[at + k]);
-      for (let k = 0; k < 3; k++) {
-        turned = Math.max(turned, Math.abs(poses[at + k]));
-        ways[3 * n + k] = this.scale * poses[at + 4 + k];
-        moved = Math.max(moved, Math.abs(ways[3 * n + k] - rest[k]) / this.scale);
-      }
-    });
-    if (turned > STILL) this.track(node, "rotation", this.put(turns, "VEC4", { normalized: true }));
-    if (moved > STILL) this.track(node, "translation", this.put(ways, "VEC3"));
-  }
-
-  animation(): GltfAnimation {
-    return { name: this.name, samplers: this.samplers, channels: this.channels };
-  }
-
-  private track(node: number, path: "rotation" | "translation", output: number): void {
-    this.times ??= this.put(timesOf(this.kept, this.fps), "SCALAR", { bounded: true });
-    this.channels.push({ sampler: this.samplers.length, target: { node, path } });
-    this.samplers.push({ input: this.times, output, interpolation: "LINEAR" });
-  }
 }

@@ -18,5 +18,6 @@ export const ports: Ports = {
   readModel: readModelInWorker,
   readClips: readClipsInWorker,
   buildSkin: async (...task) => (await import("../engine/skin-in-worker")).buildSkinInWorker(...task),
+  buildMorphs: async (...task) => (await import("../engine/skin-in-worker")).buildMorphsInWorker(...task),
   calm: matchMedia("(prefers-reduced-motion: reduce)").matches,
 };

@@ -14,7 +14,7 @@ import type { ProjectDocument } from "../../src/document/types";
 import { EngineClient } from "../../src/engine/client";
 import { channelWorker } from "../../src/engine/node";
 import { readClips } from "../../src/io/clips/read-clips";
-import { buildSkinInNode } from "../../src/engine/skin-node";
+import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
 import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
@@ -189,6 +189,7 @@ export function testPorts(shelf = new TestShelf()): TestPorts {
     },
     createEngine: () => new EngineClient(channelWorker(), wasm("rigless.wasm"), async () => wasm("shape-analysis.wasm")),
     buildSkin: buildSkinInNode,
+    buildMorphs: buildMorphsInNode,
     readModel: async (files, { signal } = {}) => {
       const model = await readModel(files);
       signal?.throwIfAborted();

@@ -489,7 +489,7 @@ describe("what cannot be done", () => {
       '--every should be a whole number from 1, but it is "0".',
     );
     expect(await refused({}, "bake", "a.json", "--out", "a.glb", "--profile", "no")).toBe(
-      '--profile should be game or morph, but it is "no".',
+      '--profile should be game, cartoon or morph, but it is "no".',
     );
     expect(await refused({}, "bake", "a.json", "b.json", "--out", "a.glb")).toBe('bake takes one project; "b.json" is too much.');
     expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe(

@@ -3,14 +3,14 @@ import { expect, it } from "vitest";
 import { type Dance, everyFor, exportDance, sizeFault, sayReplaced } from "../../src/io/export-dance";
 import { ModelError } from "../../src/io/named-file";
 import type { Profile } from "../../src/io/profile";
-import { buildSkinInNode } from "../../src/engine/skin-node";
+import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { PROFILES } from "../../src/io/profiles";
 import { readModel } from "../../src/io/read-model";
 import { type GlbInput, keptFrames, writeGlb } from "../../src/io/write-glb";
 import { TETRAHEDRON, textFile } from "../support/files";
 
-const [, morph] = PROFILES;
-const tools = { buildSkin: buildSkinInNode };
+const [, , morph] = PROFILES;
+const tools = { buildSkin: buildSkinInNode, buildMorphs: buildMorphsInNode };
 const model = await readModel([textFile("t.obj", TETRAHEDRON)]);
 const frames = Array.from({ length: 5 }, (_, f) => ({ positions: model.positions.map((x) => x + f) }));
 const dance: Dance = { name: "wave", model, mesh: { file: "t.obj", up: "+y", facing: "+z" }, clips: [{ name: "wave", frames }] };

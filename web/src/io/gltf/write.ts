@@ -4,6 +4,7 @@
 import { COMPONENTS, WIDTHS } from "../../gltf/accessors";
 import type { Gltf, GltfAccessor, GltfBufferView, GltfDocument, GltfMesh, GltfNode, GltfPrimitive } from "../../gltf/document";
 import type { DrawnInstance } from "../../gltf/drawn";
+import { STRONGEST } from "./moved-by";
 import { Numbered } from "./numbered";
 import { type AccessorType, INDICES, packAccessor, type PackOptions, type Values, VERTICES } from "./packer";
 
@@ -113,7 +114,7 @@ class Parts {
       ...rest
     } = this.document.json.meshes![instance.mesh].primitives[instance.primitive];
     const vec3 = (values: Float32Array, bounded = false): number => this.put(packAccessor(values, "VEC3", { target: VERTICES, bounded }));
-    const kept = Object.entries(attributes).filter(([key]) => /^(TEXCOORD_|COLOR_|_)/.test(key));
+    const kept = Object.entries(attributes).filter(([key]) => /^(TEXCOORD_|COLOR_|_)/.test(key) && key !== STRONGEST);
     const short = positions.length / 3 < 65535;
     return {
       ...rest,

@@ -1,6 +1,6 @@
 import { css, html, type TemplateResult } from "lit";
 import { customElement, query } from "lit/decorators.js";
-import { type Exporting, type MadeFile, PACES, PROFILES } from "../../app/exporting";
+import { type Exporting, type MadeFile, PACES, PROFILES, sayHolding } from "../../app/exporting";
 import { bytes, count } from "../../util/words";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
@@ -120,7 +120,7 @@ function facts({ bytes: file, likeness, clips, frames, notes }: MadeFile, worksI
     bytes(file.length),
     ...(clips > 1 ? [count(clips, "clip")] : []),
     count(frames, "frame"),
-    ...(likeness ? [count(likeness.joints, "joint")] : []),
+    ...(likeness ? [sayHolding(likeness)] : []),
   ];
   return html`
     <dt>Size</dt><dd>${what.join(", ")}</dd>
