@@ -8,12 +8,9 @@ import { meshInput } from "../sync/translate";
 import { count } from "./count";
 import type { Model } from "./model";
 import { ModelError } from "./named-file";
-import type { Likeness, Profile, Tools, Written } from "./profile";
+import { GLB_BYTES, type Likeness, type Profile, type Tools, type Written } from "./profile";
 import { PROFILES } from "./profiles";
 import { type Clip, keptFrames } from "./write-glb";
-
-/** A larger file cannot be made in one piece, nor opened. */
-const MOST_BYTES = 2 ** 31;
 
 export interface Dance {
   readonly name: string;
@@ -89,8 +86,12 @@ export function sizeFault(
   profile: Profile,
 ): { text: string; every: number } | null {
   const bytes = (k: number): number => profile.bytes(model.drawn.toVertex.length, keptOf(frames, k));
-  if (bytes(every) <= MOST_BYTES) return null;
+  const { mostBytes } = profile;
+  if (bytes(every) <= mostBytes) return null;
   let enough = every;
-  while (enough < Math.max(...frames) && bytes(enough) > MOST_BYTES) enough++;
-  return { text: `would hold ${(bytes(every) / 1e9).toFixed(1)} GB, more than a ${profile.extension.toUpperCase()} can`, every: enough };
+  while (enough < Math.max(...frames) && bytes(enough) > mostBytes) enough++;
+  const most = mostBytes < GLB_BYTES ? `the ${size(mostBytes)} that viewers open` : `a ${profile.extension.toUpperCase()} can`;
+  return { text: `would hold ${size(bytes(every))}, more than ${most}`, every: enough };
 }
+
+const size = (bytes: number): string => (bytes < 1e9 ? `${Math.round(bytes / 1e6)} MB` : `${(bytes / 1e9).toFixed(1)} GB`);

@@ -23,6 +23,9 @@ export interface Tools extends CallOptions {
   readonly buildMorphs: BuildMorphs;
 }
 
+/** A larger file cannot be made in one piece, nor opened. */
+export const GLB_BYTES = 2 ** 31;
+
 /** A kind of file that a dance is exported as. profiles.ts is the table of them. */
 export interface Profile {
   readonly id: string;
@@ -35,6 +38,8 @@ export interface Profile {
   readonly extension: string;
   /** So many kept frames every viewer takes, with the reason beside it; null: any number. */
   readonly mostKept: number | null;
+  /** A larger file is not begun. */
+  readonly mostBytes: number;
   /** Bytes of a file with so many render vertices and kept frames, about. */
   readonly bytes: (vertices: number, kept: number) => number;
   readonly write: (input: GlbInput, tools: Tools) => Promise<Written>;

@@ -44,9 +44,11 @@ it("writes by the profile that is asked for: the model at rest on the stage, in 
 });
 
 it("does not begin a file that is too large to be one", async () => {
-  const heavy: Profile = { ...morph, bytes: (vertices, kept) => (vertices / 3) * kept * 2e8 };
+  const heavy: Profile = { ...morph, mostBytes: PROFILES[0].mostBytes, bytes: (vertices, kept) => (vertices / 3) * kept * 2e8 };
   expect(sizeFault(model, [5], 1, morph)).toBeNull();
   expect(sizeFault(model, [5], 1, heavy)).toEqual({ text: "would hold 4.0 GB, more than a GLB can", every: 4 });
+  const exact: Profile = { ...heavy, mostBytes: morph.mostBytes, bytes: (vertices, kept) => (vertices / 3) * kept * 2e7 };
+  expect(sizeFault(model, [5], 1, exact)).toEqual({ text: "would hold 400 MB, more than the 200 MB that viewers open", every: 4 });
   await expect(exportDance(dance, 1, tools, heavy)).rejects.toThrow(new ModelError("wave.glb would hold 4.0 GB, more than a GLB can."));
 });
 

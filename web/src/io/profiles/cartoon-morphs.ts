@@ -1,4 +1,4 @@
-import type { Profile } from "../profile";
+import { GLB_BYTES, type Profile } from "../profile";
 import { morphNormals } from "../morph-normals";
 import { MOST_TARGETS, morphsBytes, writeMorphs } from "../write-morphs";
 
@@ -13,6 +13,7 @@ export const cartoonMorphs: Profile = {
   worksIn: "Blender, Unity, Unreal, Godot and on the web",
   extension: "glb",
   mostKept: null,
+  mostBytes: GLB_BYTES,
   bytes: morphsBytes,
   write: async (input, { buildMorphs, signal, onProgress }) => {
     const call = (from: number, to: number) => ({

@@ -1,4 +1,4 @@
-import type { Profile } from "../profile";
+import { GLB_BYTES, type Profile } from "../profile";
 import { skinnedBytes, writeSkinned } from "../write-skinned";
 
 /** So many every engine takes. */
@@ -12,6 +12,7 @@ export const gameCharacter: Profile = {
   worksIn: "Blender, Unity, Unreal, Godot and on the web",
   extension: "glb",
   mostKept: null,
+  mostBytes: GLB_BYTES,
   bytes: skinnedBytes,
   write: async (input, { buildSkin, ...call }) => {
     const frames = input.clips.flatMap((clip) => clip.frames.map(({ positions }) => positions));

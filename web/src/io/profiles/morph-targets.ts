@@ -10,6 +10,7 @@ export const morphTargets: Profile = {
   extension: "glb",
   // Viewers on WebGL 2 keep morph targets as layers of one texture, and 256 layers are all that the standard promises.
   mostKept: 256,
+  mostBytes: 200e6,
   bytes: glbBytes,
   write: async (input) => ({ bytes: writeGlb(input), likeness: null }),
 };
