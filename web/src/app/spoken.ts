@@ -39,7 +39,7 @@ export class Spoken {
       before.name === document.name ? "" : `The project is ${document.name}`,
       before.mesh === document.mesh ? "" : stem(document.mesh.file),
       before.motion === document.motion ? "" : stem(document.motion.files.at(-1) ?? ""),
-      this.poses(before) || points(before, document),
+      points(before, document) || this.poses(before), // a point that goes is forgotten by the poses
       ...settings(before.settings, document.settings),
       ...clip(saidOf(before), saidOf(document)),
     ]

@@ -1,10 +1,13 @@
 import { expect, type Page, test } from "@playwright/test";
 import { open } from "./page";
 
-const SIZES: readonly (readonly [width: number, height: number, touch?: boolean])[] = [
-  [360, 640, true],
-  [390, 844, true],
-  [768, 1024, true],
+type Size = readonly [width: number, height: number];
+const FINGERS: readonly Size[] = [
+  [360, 640],
+  [390, 844],
+  [768, 1024],
+];
+const MICE: readonly Size[] = [
   [960, 540],
   [1024, 600],
   [1366, 625],
@@ -27,7 +30,8 @@ function faults(page: Page, touch: boolean): Promise<string[]> {
     const name = (element: Element): string => {
       const { left, top, right, bottom } = boxOf(element);
       const box = [left, top, right, bottom].map(Math.round).join(" ");
-      return `<${element.localName} ${element.className}> ${element.getAttribute("aria-label") ?? element.textContent?.trim().slice(0, 24)} [${box}]`;
+      const words = element.getAttribute("aria-label") ?? element.textContent?.trim().slice(0, 24);
+      return `<${element.localName} ${element.className}> ${words} [${box}]`;
     };
     const part = (selector: string): Element | null => root.querySelector(selector);
     const stage = boxOf(part("main")!);
@@ -109,14 +113,27 @@ function faults(page: Page, touch: boolean): Promise<string[]> {
   }, touch);
 }
 
-for (const [width, height, touch = false] of SIZES) {
-  test(`${width}x${height}: nothing is cut or covered, whichever panel is open`, async ({ browser }) => {
+for (const [sizes, touch] of [
+  [FINGERS, true],
+  [MICE, false],
+] as const) {
+  test(`nothing is cut or covered at ${sizes.map((size) => size.join("x")).join(", ")}, whichever panel is open`, async ({ browser }) => {
+    test.setTimeout(300_000);
+    const [[width, height]] = sizes as [Size];
     const context = await browser.newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch, reducedMotion: "reduce" });
     const page = await context.newPage();
     await open(page);
-    for (const panel of ["at rest", "Model", "Motion", "Points", "Poses"]) {
-      if (panel !== "at rest") await page.getByRole("button", { name: panel, exact: true }).click();
-      await expect.poll(() => faults(page, touch), { message: panel, timeout: 10_000, intervals: [500] }).toEqual([]);
+    for (const [width, height] of sizes) {
+      await page.setViewportSize({ width, height });
+      for (const panel of ["at rest", "Model", "Motion", "Points", "Poses"]) {
+        if (panel !== "at rest") await page.getByRole("button", { name: panel, exact: true }).click();
+        const message = `${width}x${height}, ${panel}`;
+        await expect
+          .configure({ soft: true })
+          .poll(() => faults(page, touch), { message, timeout: 10_000, intervals: [300] })
+          .toEqual([]);
+      }
+      await page.getByRole("button", { name: "Poses", exact: true }).click(); // closes it
     }
     await context.close();
   });
