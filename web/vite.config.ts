@@ -7,6 +7,14 @@ const ABSENT = [...readFileSync(absent, "utf8").matchAll(/(?:Absent|Idle) as (\w
   ([, name, other]) => name ?? other,
 );
 
+const shorterStyles = (styles: string): string =>
+  styles
+    .replace(/\/\*[^]*?\*\//g, "")
+    .replace(/\s+/g, " ")
+    .replace(/ ?([{};,]) ?/g, "$1")
+    .replace(/: /g, ":")
+    .replace(/;}/g, "}");
+
 export default defineConfig({
   base: "./",
   appType: "mpa", // a missing file answers 404, not the page
@@ -30,6 +38,14 @@ export default defineConfig({
         if (!id.endsWith("/loaders/GLTFLoader.js")) return null;
         const without = ABSENT.reduce((text, name) => text.replace(new RegExp(`^\\t${name},?$`, "m"), ""), code);
         return `import { ${ABSENT.join(", ")} } from ${JSON.stringify(absent)};\n${without}`;
+      },
+    },
+    {
+      name: "shorter", // what a minifier leaves alone, being text: our styles, and the indentation of markup and shaders
+      apply: "build",
+      transform: (code, id) => (/\/src\/.*\.ts$/.test(id) ? code.replace(/\bcss(?: = )?`[^`]+`/g, shorterStyles) : null),
+      generateBundle(_, bundle) {
+        for (const part of Object.values(bundle)) if (part.type === "chunk") part.code = part.code.replace(/\n[ \t\n]+/g, "\n");
       },
     },
   ],

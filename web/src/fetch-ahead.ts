@@ -6,6 +6,7 @@ export function fetchAhead(): void {
   setTimeout(async () => {
     const parts = [
       () => import("./ui/elements/late"),
+      () => import("./ui/assist"),
       () => import("./io/project-file"),
       () => import("./app/exporting"),
       () => import("./engine/skin-in-worker"),

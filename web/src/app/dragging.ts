@@ -19,6 +19,9 @@ export interface Drag {
   /** C x 3 body-local: as the dance has them, and as the hand asks. */
   readonly base: Float32Array;
   targets: Float32Array;
+  /** World: where the dance has the point, and where the hand asks for it. */
+  readonly from: readonly [number, number, number];
+  to: readonly [number, number, number];
   readonly wasPlaying: boolean;
   /** The partner on the other side does the same. */
   mirrored: boolean;
@@ -62,17 +65,21 @@ export class Dragging {
     const base = this.context.controlsAt(frame);
     if (!performance || !shown || !base || index < 0) return;
     const wasPlaying = player.playing;
+    const { root } = shown;
+    const from = position({ index, root }, base);
     player.pause();
     workspace.hold();
     this.active = {
       id,
       index,
       frame,
-      root: shown.root,
+      root,
       before: shown.shape,
       shape: null,
       base,
       targets: base.slice(),
+      from,
+      to: from,
       wasPlaying,
       mirrored: false,
       volume: null,
@@ -87,6 +94,7 @@ export class Dragging {
   move(position: readonly [number, number, number]): void {
     const { active } = this;
     if (!active) return;
+    active.to = position;
     active.targets = active.base.slice();
     active.targets.set(toLocal(position, active.root), 3 * active.index);
     if (active.mirrored) this.moveTwin(active);
@@ -99,7 +107,7 @@ export class Dragging {
     const { active } = this;
     if (!active) return;
     active.mirrored = !active.mirrored;
-    this.move(position(active, active.targets));
+    this.move(active.to);
   }
 
   /** The partner goes from its rest as the held point does, the other way sideways. */
@@ -136,14 +144,14 @@ export class Dragging {
     if (!active) return;
     clearTimeout(this.rest);
     this.rest = setTimeout(() => this.drop(), KEYS_REST_MS);
-    const [x, y, z] = position(active, active.targets);
+    const [x, y, z] = active.to;
     this.move([x + delta[0], y + delta[1], z + delta[2]]);
   }
 
   drop(): void {
     const { active } = this;
     if (!active) return;
-    const [from, to] = [active.base, active.targets].map((track) => position(active, track));
+    const { from, to } = active;
     if (Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]) <= 1e-4) {
       this.cancel();
       return;
@@ -244,7 +252,7 @@ export class Dragging {
 }
 
 /** Where a track has the held point, in the world. */
-function position({ index, root }: Drag, track: Float32Array): [number, number, number] {
+function position({ index, root }: Pick<Drag, "index" | "root">, track: Float32Array): [number, number, number] {
   const [x, y, z] = toWorld(track.subarray(3 * index, 3 * index + 3), root);
   return [x, y, z];
 }

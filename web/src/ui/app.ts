@@ -1,11 +1,13 @@
-import { css, html, LitElement } from "lit";
+import { html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { debugPage } from "./debug";
 import { handleKey } from "../app/keys";
 import type { StagePort } from "../app/ports";
 import type { Session } from "../app/session";
+import { appStyle } from "./app-style";
 import { focused, pressOf } from "./keys";
 import { base } from "./styles";
+import type { Assist } from "./assist";
 import type { Intro } from "./elements/intro";
 import "./elements/intro";
 import "./elements/inspector";
@@ -35,8 +37,8 @@ export class App extends LitElement {
   buildStage!: (host: HTMLElement) => StagePort;
   @state() private dropping = false;
   @state() private phone = false;
-  /** Phone only: the sheet shows its content. */
-  @state() private sheetOpen = true;
+  /** Phone only: the sheet shows its content. On a short one it takes the room of the stage, so not before it is asked for. */
+  @state() private sheetOpen = innerHeight >= 700;
   @query(".view3d") private host!: HTMLDivElement;
   @query("rigless-intro") private intro!: Intro;
   private readonly narrow = matchMedia("(max-width: 719px)");
@@ -44,54 +46,9 @@ export class App extends LitElement {
   private framing = 0;
   private clicked: Element | null = null;
   private spaceIsOurs = false;
+  private helped: Promise<Assist> | undefined;
 
-  static override styles = [
-    base,
-    css`
-      :host { display: grid; height: 100%; overflow: hidden; grid-template: 48px minmax(0, 1fr) auto / auto minmax(0, 1fr) auto;
-        color: var(--ink); }
-      rigless-top-bar { grid-area: 1 / 1 / 2 / -1; z-index: 4; position: relative; }
-      main { grid-area: 2 / 1 / 3 / -1; position: relative; background: var(--stage); overflow: hidden; min-height: 0; }
-      .view3d { position: absolute; inset: 0; }
-      .left { grid-area: 2 / 1; align-self: stretch; display: flex; align-items: flex-start; pointer-events: none; z-index: 2;
-        min-height: 0; padding-bottom: 52px; }
-      .left > * { pointer-events: auto; }
-      .panel { margin: var(--s2) 0; max-height: calc(100% - 16px); display: flex; min-height: 0; }
-      .panel > * { display: flex; min-height: 0; }
-      rigless-inspector { grid-area: 2 / 3; align-self: start; z-index: 2; max-height: calc(100% - 32px); overflow-y: auto; }
-      .middle { grid-area: 2 / 2; position: relative; z-index: 2; pointer-events: none; display: grid; grid-template-rows: auto 1fr auto;
-        min-width: 0; min-height: 0; }
-      rigless-notices { justify-self: center; margin: var(--s2) var(--s1) 0; }
-      rigless-intro { position: absolute; inset: 0; }
-      .low { grid-row: 3; display: grid; justify-items: end; align-content: end; }
-      .low > * { pointer-events: auto; }
-      rigless-prompt { justify-self: stretch; margin-bottom: 0; }
-      rigless-view { margin-right: 0; }
-      rigless-status { grid-area: 2 / 1 / 3 / 3; align-self: end; justify-self: start; z-index: 2; }
-      .dock { grid-area: 3 / 1 / 4 / -1; background: var(--desk); border-top: 1px solid var(--line); padding: 0 var(--s2) var(--s1);
-        z-index: 3; }
-      @media (max-width: 719px) {
-        :host { grid-template: 56px minmax(0, 1fr) auto auto auto / minmax(0, 1fr); }
-        rigless-top-bar { grid-area: 1 / 1; }
-        main, .middle { grid-area: 2 / 1; }
-        rigless-notices { justify-self: stretch; margin: 8px 8px 0; }
-        rigless-view { display: none; }
-        rigless-status { grid-area: 2 / 1; }
-        .dock { grid-area: 3 / 1; padding: 0 12px 8px; }
-        .sheet { grid-area: 4 / 1; background: var(--paper); border-top: 1px solid var(--line); max-height: 38vh; overflow-y: auto;
-          z-index: 3; }
-        .handle { display: block; width: 100%; height: 20px; border: 0; background: none; padding: 0; cursor: pointer; position: relative; }
-        .handle::before { content: ""; position: absolute; inset: -12px 0; }
-        .handle::after { content: ""; display: block; width: 40px; height: 4px; border-radius: 2px; background: var(--edge);
-          margin: 0 auto; }
-        .handle:focus-visible { position: relative; }
-        rigless-rail { grid-area: 5 / 1; z-index: 3; }
-        .panel { margin: 0; max-height: none; }
-        .panel > * { display: block; flex: 1; min-width: 0; }
-        rigless-inspector { max-height: none; overflow: visible; }
-      }
-    `,
-  ];
+  static override styles = [base, appStyle];
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -100,6 +57,7 @@ export class App extends LitElement {
     addEventListener("click", this.pointed);
     addEventListener("keydown", this.keyed);
     addEventListener("keyup", this.keyUp);
+    addEventListener("keydown", this.assist, { once: true });
     for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) addEventListener(name, this.dragged);
     addEventListener("beforeunload", this.leaving);
   }
@@ -113,6 +71,7 @@ export class App extends LitElement {
     for (const name of ["dragenter", "dragover", "dragleave", "drop"] as const) removeEventListener(name, this.dragged);
     removeEventListener("beforeunload", this.leaving);
     this.resized.disconnect();
+    void this.helped?.then((assist) => assist.close());
     this.session.close();
   }
 
@@ -128,6 +87,11 @@ export class App extends LitElement {
       this.sheetOpen = true;
       this.requestUpdate();
     });
+    session.signals.on("document", (before) => {
+      if (session.history.touched) void this.assist().then((assist) => assist.speak(before));
+    });
+    if (matchMedia("(any-pointer: coarse)").matches)
+      void import("./touch").then(({ listenToFingers }) => listenToFingers(this.host, session));
     this.resized.observe(this);
     this.reframe();
   }
@@ -144,6 +108,7 @@ export class App extends LitElement {
     const rail = html`<rigless-rail .session=${session}></rigless-rail>`;
     return html`
       <rigless-top-bar role="banner" .session=${session}></rigless-top-bar>
+      ${this.phone ? "" : html`<div class="left">${rail}${panel}</div>`}
       <main aria-label="Stage"><div class="view3d"></div></main>
       <div class="middle">
         <rigless-intro ?hidden=${this.dropping} .session=${session}></rigless-intro>
@@ -151,10 +116,11 @@ export class App extends LitElement {
         <div class="low">
           <rigless-jobs .session=${session}></rigless-jobs>
           <rigless-prompt .session=${session}></rigless-prompt>
-          <rigless-view .session=${session}></rigless-view>
+          <div class="foot"><rigless-status .session=${session}></rigless-status
+            ><rigless-view .session=${session}></rigless-view></div>
         </div>
       </div>
-      <rigless-status .session=${session}></rigless-status>
+      ${this.phone ? "" : inspector}
       <section class="dock" aria-label="Timeline">
         <rigless-transport .session=${session}></rigless-transport>
         <rigless-timeline .session=${session}></rigless-timeline>
@@ -165,7 +131,7 @@ export class App extends LitElement {
             <button class="handle" aria-label=${this.sheetOpen ? "Fold the sheet" : "Unfold the sheet"} aria-expanded=${this.sheetOpen}
               @click=${() => (this.sheetOpen = !this.sheetOpen)}></button>
             ${this.sheetOpen ? (name ? panel : inspector) : ""}</div>${rail}`
-          : html`<div class="left">${rail}${panel}</div>${inspector}`
+          : ""
       }
       ${this.dropping ? html`<rigless-drop></rigless-drop>` : ""}
       <rigless-help .session=${session}></rigless-help>
@@ -173,6 +139,9 @@ export class App extends LitElement {
       <rigless-export .session=${session}></rigless-export>
     `;
   }
+
+  private readonly assist = (): Promise<Assist> =>
+    (this.helped ??= import("./assist").then(({ Assist }) => new Assist(this.session, this.renderRoot)));
 
   private readonly narrowed = (): void => {
     this.phone = this.narrow.matches;

@@ -23,6 +23,7 @@ const drawings = {
   pin: svg`<path d="M6 21V4h12.5l-3.5 4.5 3.5 4.5H6" /><path d="M6 4v17"/>`,
   file: svg`<path d="M6 3.5h8l4.5 4.5v12.5H6Z"/><path d="M14 3.5V8h4.5"/>`,
   bell: svg`<path d="M6 17V11a6 6 0 0 1 12 0v6l1.5 2h-15Z"/><path d="M10 21.5h4M12 5V3"/>`,
+  more: svg`<path d="M12 5.5v.01m0 6.5v.01m0 6.5v.01" stroke-width="3.5"/>`,
   tick: svg`<path d="m5 12.5 4.5 4.5L19 7.5"/>`,
   warning: svg`<path d="M12 4 21 19.5H3Z"/><path d="M12 10v4.5m0 2.5v.01"/>`,
   turn: svg`<path d="M4.5 12a7.5 7.5 0 1 0 2.4-5.5"/><path d="M4 4v4.5h4.5"/>`,

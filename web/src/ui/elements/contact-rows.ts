@@ -31,9 +31,9 @@ export class ContactRows extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { display: block; }
-      .rows { max-height: 73px; overflow-y: auto; scrollbar-width: thin; }
-      .pair { display: grid; grid-template-columns: var(--label) minmax(0, 1fr); height: 24px; }
+      :host { display: block; --row: 24px; --shown: 3; }
+      .rows { max-height: calc(var(--shown) * var(--row) + 1px); overflow-y: auto; scrollbar-width: thin; }
+      .pair { display: grid; grid-template-columns: var(--label) minmax(0, 1fr); height: var(--row); }
       .name { display: flex; align-items: center; min-width: 0; border-top: 1px solid transparent; }
       .name button { background: none; border: 0; padding: 0; color: var(--ink-2); font: var(--t-small); text-align: left;
         cursor: pointer; border-radius: var(--r-s); min-width: 0; height: 100%; }
@@ -44,19 +44,22 @@ export class ContactRows extends SessionElement {
       .reset .ico { width: 14px; height: 14px; }
       .lane { position: relative; margin: 0 var(--end) 0 var(--start); border-top: 1px solid var(--line); touch-action: pan-y; }
       .lane.sel { background: var(--well); cursor: crosshair; touch-action: none; }
-      .bar { position: absolute; top: 7px; height: 8px; left: var(--a); width: max(4px, var(--w)); border: 0; padding: 0;
+      .bar { position: absolute; top: calc(var(--row) / 2 - 5px); height: 8px; left: var(--a); width: max(4px, var(--w)); border: 0;
+        padding: 0;
         border-radius: 4px; background: var(--c); box-shadow: inset 0 0 0 1px color-mix(in oklab, var(--c), var(--ink) 40%);
         cursor: pointer; touch-action: none; }
       .bar.air { --c: var(--pencil-soft, var(--line));
         background: repeating-linear-gradient(135deg, var(--pencil) 0 1.5px, transparent 1.5px 5px);
         box-shadow: inset 0 0 0 1.25px var(--pencil); }
-      .sel .bar { top: 5px; height: 12px; border-radius: 6px; cursor: grab; }
+      .sel .bar { top: calc(var(--row) / 2 - 7px); height: 12px; border-radius: 6px; cursor: grab; }
       .grip { position: absolute; top: -6px; bottom: -6px; width: 12px; cursor: ew-resize; }
       .grip::after { content: ""; position: absolute; top: 4px; bottom: 4px; left: 3.5px; width: 5px; border-radius: 2px;
         background: var(--ink); }
       .grip.begin { left: -6px; }
       .grip.end { right: -6px; }
-      .flag { position: absolute; z-index: 2; top: 1px; left: var(--f); width: 20px; height: 22px; margin-left: -4px; border: 0;
+      .flag { position: absolute; z-index: 2; top: calc(var(--row) / 2 - 11px); left: var(--f); width: 20px; height: 22px;
+        margin-left: -4px;
+        border: 0;
         padding: 0; background: none; cursor: pointer; border-radius: var(--r-s); }
       .flag svg { width: 20px; height: 22px; overflow: visible; }
       .flag .cloth { fill: var(--c); stroke: var(--ink); stroke-width: 1.25; stroke-linejoin: round; }
@@ -65,12 +68,19 @@ export class ContactRows extends SessionElement {
       .flag.on .cloth { fill: var(--now); }
       .flag.on .sign { stroke: var(--on-now); }
       .flag:focus-visible { position: absolute; }
+      .bar::before, .flag::before { content: ""; position: absolute; inset: -8px 0; }
+      @media (max-height: 740px) { :host { --shown: 2; } }
+      @media (pointer: coarse) {
+        :host { --row: 44px; --shown: 2; }
+        .name .reset { width: 44px; }
+        .bar::before, .flag::before { inset: -16px -12px; }
+      }
       @media (max-width: 719px) {
         .pair { grid-template-columns: minmax(0, 1fr); height: auto; }
         .pair:not(.sel) { display: none; }
-        .name { height: 28px; }
-        .lane { height: 32px; }
-        .sel .bar { top: 8px; height: 16px; }
+        .name { height: 44px; }
+        .lane { height: 44px; }
+        .sel .bar { top: 14px; height: 16px; }
         .grip { width: 32px; }
         .grip.begin { left: -22px; } .grip.end { right: -22px; }
         .grip.begin::after { left: auto; right: 3.5px; } .grip.end::after { left: 3.5px; }

@@ -17,13 +17,15 @@ export class Inspector extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { display: block; margin: var(--s2); width: 256px; padding: var(--s2); background: var(--paper); border-radius: var(--r-l);
+      :host { display: block; margin: var(--gap) var(--s2); width: 256px; padding: var(--s2); background: var(--paper);
+        border-radius: var(--r-l);
         box-shadow: var(--lift-1); }
       header { display: flex; gap: 12px; align-items: center; margin-bottom: var(--s2); }
       header .thumb { width: 40px; height: 40px; flex: none; }
       header div { min-width: 0; }
       h2 { font: var(--t-title); line-height: 20px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
       .switches { border-top: 1px solid var(--line); padding-top: var(--s-half); margin-bottom: -8px; }
+      @media (max-height: 740px) { :host { padding: 4px var(--s2) 8px; } header { display: none; } }
       @media (max-width: 719px) {
         :host { margin: 0; width: auto; border-radius: 0; box-shadow: none; padding: 0 16px; }
         header { display: none; }

@@ -35,10 +35,9 @@ export class Intro extends SessionElement {
       .chip:active { transform: scale(1.04, .92); }
       .chip .ico { width: 18px; height: 18px; }
       @media (max-width: 1100px) { .line { font-size: 22px; line-height: 28px; top: 16px; } }
-      @media (max-width: 719px) { .line { font-size: 20px; line-height: 26px; top: 12px; } .chips { bottom: 44px;
-        } .chip { padding: 0 12px; } }
+      @media (max-width: 719px) { .line { font-size: 20px; line-height: 26px; top: 12px; } .chips { bottom: 8px; } }
       /* three in one line of a phone */
-      @container (max-width: 480px) { .chips { gap: 6px; } .chip { padding: 0 10px; } .chip svg { display: none; } }
+      @container (max-width: 480px) { .chips { gap: 4px; } .chip { padding: 0 8px; font-size: 12px; } .chip svg { display: none; } }
     `,
   ];
 

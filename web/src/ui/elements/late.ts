@@ -5,6 +5,7 @@ import "./drop-overlay";
 import "./export-panel";
 import "./help";
 import "./job-card";
+import "./menu";
 import "./panel-model";
 import "./panel-motion";
 import "./panel-points";

@@ -28,7 +28,7 @@ export class NoticesElement extends SessionElement {
     base,
     css`
       :host { display: block; max-width: 640px; pointer-events: none; }
-      .list { display: grid; gap: var(--s1); justify-items: center; max-height: 60vh; overflow-y: auto; }
+      .list { display: grid; gap: var(--s1); justify-items: center; max-height: 34vh; overflow-y: auto; }
       .notice { pointer-events: auto; display: grid; grid-template-columns: auto 1fr auto; gap: 0 12px; align-items: center;
         background: var(--paper); border-radius: var(--r-l); box-shadow: var(--lift-1); padding: 10px 8px 10px 12px;
         animation: come var(--slow) var(--ease); max-width: 100%; }
@@ -40,8 +40,8 @@ export class NoticesElement extends SessionElement {
       p { font: var(--t-small); color: var(--ink-2); overflow-wrap: anywhere; }
       .acts { display: flex; gap: var(--s-half); align-items: center; }
       .bell { pointer-events: auto; display: flex; gap: 4px; align-items: center; justify-content: center; margin-left: auto;
-        min-width: 36px; height: 36px; padding: 0 10px; border: 0; border-radius: var(--r-full); background: var(--well);
-        color: var(--ink); font: var(--t-small); cursor: pointer; }
+        min-width: max(36px, var(--hit)); height: max(36px, var(--hit)); padding: 0 10px; border: 0; border-radius: var(--r-full);
+        background: var(--well); color: var(--ink); font: var(--t-small); cursor: pointer; }
       :host([quiet]) .bell { background: var(--paper); box-shadow: var(--lift-1); }
       .bell svg { width: 16px; height: 16px; }
       @media (max-width: 719px) {
@@ -50,8 +50,6 @@ export class NoticesElement extends SessionElement {
         .notice { padding: 8px; gap: 0 8px; }
         .badge { width: 32px; height: 32px; }
         h3 { line-height: 16px; }
-        .list { max-height: 34vh; }
-        .bell { min-height: 44px; min-width: 44px; }
       }
     `,
   ];

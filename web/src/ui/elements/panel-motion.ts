@@ -15,7 +15,7 @@ export class MotionPanel extends SessionElement {
     galleryStyle,
     css`
       /* what can be done to the motion is seen without scrolling */
-      @media (min-width: 720px) { .gallery { max-height: 212px; overflow-y: auto; scrollbar-width: thin; } }
+      @media (min-width: 720px) and (min-height: 741px) { .gallery { max-height: 212px; overflow-y: auto; scrollbar-width: thin; } }
       .more { margin-top: 0; }
     `,
   ];

@@ -15,7 +15,8 @@ export class Rail extends SessionElement {
   static override styles = [
     base,
     css`
-      :host { display: block; margin: var(--s2); padding: var(--s-half); width: 72px; background: var(--paper); border-radius: var(--r-l);
+      :host { display: block; margin: var(--gap) var(--s2); padding: var(--s-half); width: 72px; background: var(--paper);
+        border-radius: var(--r-l);
         box-shadow: var(--lift-1); }
       ul { display: grid; gap: var(--s-half); }
       .panel { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 2px; width: 64px; height: 64px;
@@ -23,11 +24,12 @@ export class Rail extends SessionElement {
       .panel .ico { width: 26px; height: 26px; }
       .panel:hover { background: var(--well); color: var(--ink); }
       .panel[aria-pressed="true"] { background: var(--ink); color: var(--on-ink); }
+      @media (max-height: 740px) { .panel { height: 48px; } }
       @media (max-width: 719px) {
-        :host { margin: 0; width: auto; border-radius: 0; box-shadow: none; padding: 4px 8px 12px; border-top: 1px solid var(--line);
+        :host { margin: 0; width: auto; border-radius: 0; box-shadow: none; padding: 4px 8px; border-top: 1px solid var(--line);
           background: var(--desk); }
         ul { grid-template-columns: repeat(4, 1fr); }
-        .panel { width: 100%; height: 56px; }
+        .panel { width: 100%; height: 52px; }
       }
     `,
   ];

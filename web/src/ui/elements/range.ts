@@ -55,15 +55,16 @@ export class Range extends LitElement {
         border: 2.5px solid var(--ink); box-sizing: border-box; }
       .is-held input { cursor: grabbing; }
       .is-held input::-webkit-slider-thumb { transform: scale(1.25, .85); background: var(--now); border-color: var(--on-now); }
-      @media (max-width: 719px) {
+      @media (max-width: 719px), (max-height: 740px) {
         :host { display: grid; grid-template-columns: 84px 1fr 34px; align-items: center; column-gap: 8px; padding: 0; min-height: 52px; }
         .field-head { display: contents; }
         label { order: 1; }
-        .range { order: 2; height: 44px; }
+        .range { order: 2; height: 44px; min-width: 0; }
         output { order: 3; text-align: right; }
         svg { inset: 10px 0; }
         .field-ends { order: 4; grid-column: 2; margin-top: -12px; }
       }
+      @media (min-width: 720px) and (max-height: 740px) { :host { min-height: 0; } .field-ends { display: none; } }
     `,
   ];
 

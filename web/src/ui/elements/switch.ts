@@ -23,6 +23,7 @@ export class Switch extends LitElement {
         background: var(--edge); transition: transform var(--bounce) var(--squash); }
       input:checked { background: var(--ink); --frame: 0 0 transparent; }
       input:checked::after { transform: translateX(14px); background: var(--on-ink); }
+      @media (max-height: 740px) { label { min-height: max(36px, var(--hit)); } .sub { display: none; } }
       @media (max-width: 719px) {
         :host { flex: 1 1 auto; }
         label { justify-content: center; border-radius: var(--r-m); box-shadow: inset 0 0 0 var(--stroke) var(--edge); padding: 0 8px; }

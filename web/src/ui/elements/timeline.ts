@@ -7,6 +7,9 @@ import { base } from "../styles";
 import "./contact-rows";
 import "./coverage-strip";
 
+/** Cels at least this far apart show: pixels. */
+const CEL = 34;
+
 /** Ruler, poses as cels on diamonds, and who stands on the ground when. */
 @customElement("rigless-timeline")
 export class Timeline extends SessionElement {
@@ -42,6 +45,8 @@ export class Timeline extends SessionElement {
       .pose:hover .thumb { transform: translateY(-2px); }
       .pose::after { content: ""; position: absolute; left: 50%; bottom: 2px; width: 11px; height: 11px; margin-left: -5.5px;
         transform: rotate(45deg); border-radius: 2px; background: var(--ink); box-shadow: 0 0 0 2px var(--desk); }
+      /* where poses crowd, the diamond is enough until one is looked at */
+      .pose.crowded:not(.sel, :hover, :focus-visible) .thumb { visibility: hidden; }
       .pose.sel, .pose:hover { z-index: 4; }
       .pose.sel .thumb { box-shadow: inset 0 0 0 2px var(--ink); }
       .pose.sel::after { background: var(--now); box-shadow: inset 0 0 0 1.5px var(--on-now), 0 0 0 2px var(--desk); }
@@ -64,10 +69,12 @@ export class Timeline extends SessionElement {
       .playhead b { position: absolute; top: 0; left: 0; transform: translateX(-50%); height: 18px; min-width: 30px; padding: 0 6px;
         display: grid; place-items: center; font: 700 11px/1 var(--font); background: var(--now); color: var(--on-now);
         border-radius: 5px; box-shadow: 0 0 0 1.5px var(--on-now); }
+      @media (pointer: coarse) { .pose { width: 44px; margin-left: -22px; justify-items: center; } }
       @media (max-width: 719px) {
         :host { --label: 0px; --end: 20px; --start: 20px; }
         .tl { grid-template-columns: 1fr; }
         .tl-label { display: none; }
+        :host([cutting]) :is(.poses, rigless-coverage-strip) { display: none; }
       }
     `,
   ];
@@ -85,7 +92,9 @@ export class Timeline extends SessionElement {
   protected override render() {
     const { player } = this.session;
     const last = Math.max(1, player.frames - 1);
-    return html`${this.session.selection.panel === "motion" ? html`<rigless-take .session=${this.session}></rigless-take>` : nothing}
+    const cutting = this.session.selection.panel === "motion";
+    this.toggleAttribute("cutting", cutting);
+    return html`${cutting ? html`<rigless-take .session=${this.session}></rigless-take>` : nothing}
       <div class="tl">
       <span class="tl-label"></span>${this.renderRuler(last)}
       <span class="tl-label">Poses</span>${this.renderPoses(last)}
@@ -95,9 +104,13 @@ export class Timeline extends SessionElement {
     </div>`;
   }
 
+  private get laneWidth(): number {
+    return this.width - (this.width < 700 ? 40 : 156);
+  }
+
   private renderRuler(last: number) {
     const { player } = this.session;
-    const step = rulerStep(last, this.width < 700 ? this.width - 40 : this.width - 156);
+    const step = rulerStep(last, this.laneWidth);
     const labels = Array.from({ length: Math.floor(last / step) + 1 }, (_, k) => k * step);
     return html`<div class="lane ruler" style="--major:${(100 * step) / last}%;--minor:${(20 * step) / last}%">
       ${labels.map((frame) => html`<span style="--f:${(100 * frame) / last}%">${frame}</span>`)}
@@ -110,6 +123,8 @@ export class Timeline extends SessionElement {
     const { session } = this;
     const poses = session.poses.here;
     const now = session.player.frame;
+    let cel = -Infinity; // the last frame whose cel shows
+    const room = (CEL * last) / (this.laneWidth || 1);
     const at = (frame: number): string => `--f:${(100 * Math.min(frame, last)) / last}%`;
     return html`<div class="lane poses">
       ${session.coverage.asked.map(
@@ -124,7 +139,9 @@ export class Timeline extends SessionElement {
       )}
       ${poses.map((pose) => {
         const frame = session.poses.frameOf(pose);
-        return html`<button class="pose ${frame === now ? "sel" : ""}" style=${at(frame)}
+        const crowded = frame - cel < room;
+        if (!crowded) cel = frame;
+        return html`<button class="pose ${frame === now ? "sel" : ""} ${crowded ? "crowded" : ""}" style=${at(frame)}
           aria-label="Pose at frame ${frame}" aria-current=${frame === now ? "true" : nothing}
           @click=${() => session.poses.goTo(pose.id)}>${this.renderThumbnail(pose)}</button>`;
       })}

@@ -1,5 +1,5 @@
 import { css, html } from "lit";
-import { customElement, state } from "lit/decorators.js";
+import { customElement } from "lit/decorators.js";
 import { actionButton } from "../action-button";
 import { SessionElement } from "../element";
 import { brandMark, icon } from "../icons";
@@ -8,7 +8,6 @@ import { base } from "../styles";
 @customElement("rigless-top-bar")
 export class TopBar extends SessionElement {
   protected readonly topics = ["document", "saved", "solve"] as const;
-  @state() private menu = false;
 
   static override styles = [
     base,
@@ -32,9 +31,6 @@ export class TopBar extends SessionElement {
         .undo { margin: 0; }
         .primary { margin-left: 8px; }
         .menu { display: inline-flex; }
-        .sheet { position: absolute; z-index: 6; top: 52px; right: 8px; padding: var(--s1); background: var(--paper);
-          border-radius: var(--r-l); box-shadow: var(--lift-2); display: grid; }
-        .sheet .btn { justify-content: flex-start; }
       }
     `,
   ];
@@ -55,18 +51,14 @@ export class TopBar extends SessionElement {
       ${actionButton(actions.open, { class: "btn wide" })}
       ${actionButton(actions.save, { class: "btn wide" })}
       ${actionButton(actions.help, { class: "btn icon wide", drawing: icon("help") })}
-      <button class="btn icon menu" aria-label="File menu" aria-expanded=${this.menu} @click=${() => (this.menu = !this.menu)}
-        >${icon("file")}</button>
+      <button class="btn icon menu" aria-label="Menu" popovertarget="menu" @click=${this.bringMenu}>${icon("more")}</button>
       ${actionButton(actions.export, { class: "btn primary" })}
-      ${this.menu ? this.renderMenu() : ""}
+      <rigless-menu id="menu" popover .session=${this.session}></rigless-menu>
     `;
   }
 
-  private renderMenu() {
-    const { open, save, help } = this.session.actions;
-    return html`<div class="sheet" @click=${() => (this.menu = false)}>
-      ${[open, save, help].map((action) => actionButton(action))}
-    </div>`;
+  private bringMenu(): void {
+    void import("./late");
   }
 
   private readonly rename = (event: Event): void => {

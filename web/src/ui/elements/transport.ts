@@ -13,22 +13,27 @@ export class Transport extends SessionElement {
     base,
     css`
       :host { display: flex; align-items: center; gap: var(--s-half); height: 48px; }
-      .play { width: 36px; height: 36px; border-radius: 50%; border: 0; padding: 0; display: grid; place-items: center;
+      .play { width: max(36px, var(--hit)); aspect-ratio: 1; border-radius: 50%; border: 0; padding: 0; display: grid; place-items: center;
         background: var(--ink); color: var(--on-ink); cursor: pointer; margin: 0 2px; flex: none;
         transition: transform var(--bounce) var(--squash); }
       .play:active { transform: scale(1.1, .88); }
       .play svg { width: 18px; height: 18px; fill: currentColor; stroke: none; }
       .frame { font: var(--t-title); margin-left: var(--s2); min-width: 132px; white-space: nowrap; }
       .frame small { font: var(--t-small); color: var(--ink-3); margin-left: 6px; }
-      .rule { width: 1px; height: 24px; background: var(--line); margin: 0 var(--s1); }
+      .watch { display: none; }
       .loop[aria-pressed="true"], .pin[aria-pressed="true"] { background: var(--well); }
       @media (max-width: 719px) {
         :host { height: 60px; gap: 0; }
         .desk { display: none !important; }
-        .play { width: 48px; height: 48px; }
+        .play { width: 48px; }
         .play svg { width: 22px; height: 22px; }
         .frame { margin-left: 8px; min-width: 40px; }
         .frame small { display: none; }
+      }
+      @media (max-height: 439px) and (orientation: landscape) {
+        .pin, .line { display: none; }
+        .desk { display: inline-flex !important; }
+        .watch { display: inline; margin-right: var(--s2); }
       }
     `,
   ];
@@ -41,7 +46,7 @@ export class Transport extends SessionElement {
       ${actionButton(actions.poseAfter, { class: "btn icon", drawing: icon("next") })}
       <span class="frame">${player.frame}<small>of ${Math.max(0, player.frames - 1)} &nbsp;·&nbsp; ${player.clockWords}</small></span>
       <span class="grow"></span>
-      <i class="rule desk" hidden></i>
+      <span class="sub watch">Hold it upright for all the rest.</span>
       ${actionButton(actions.loop, { class: "btn icon loop desk", drawing: icon("loop"), pressed: player.loop })}
       ${actionButton(actions.speed, { class: "btn desk", drawing: html`${player.speed}×`, says: `Speed ${player.speed} times` })}
       ${actionButton(actions.armPin, { class: "btn icon pin", drawing: icon("pin"), pressed: pins.armed })}

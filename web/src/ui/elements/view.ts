@@ -17,7 +17,7 @@ export class ViewToggle extends SessionElement {
       div { display: flex; }
       .btn { min-height: 28px; border-radius: 8px; font: var(--t-small); padding: 0 10px; }
       .btn[aria-pressed="true"] { background: var(--well); font-weight: 600; }
-      @media (pointer: coarse) { .btn { min-height: 40px; } }
+      @media (pointer: coarse) { .btn { min-height: 44px; } }
     `,
   ];
 
