@@ -1,6 +1,7 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
 import type { DrawnHuman, DrawnModel, Insets, PointMark, Shape, StageEvents, StageLook, StagePort } from "../stage/port";
+import type { Studio } from "../stage/studio";
 import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
 import { CameraRig } from "./camera-rig";
@@ -152,6 +153,15 @@ export class Viewport implements StagePort {
     this.draw();
     this.pictureStale = stale;
     return url;
+  }
+
+  async studio(): Promise<Studio> {
+    const { StageStudio } = await import("./studio");
+    return new StageStudio(this.scenery, this.figures, this.rig, (on) => {
+      cancelAnimationFrame(this.frame);
+      this.frame = Number(on); // as if a picture was due, so none is asked for
+      if (!on) this.resize();
+    });
   }
 
   dispose(): void {

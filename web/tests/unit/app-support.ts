@@ -18,6 +18,7 @@ import { buildSkinInNode } from "../../src/engine/skin-node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
 import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
+import type { FilmShot, Moment, Studio } from "../../src/stage/studio";
 import { Emitter } from "../../src/util/emitter";
 
 const ASSETS = new URL("../../assets/", import.meta.url);
@@ -116,6 +117,24 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   }
   thumbnail(shape: Shape, size: number): string {
     return `picture of ${shape.length / 3} at ${size}, ${shape.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
+  }
+  /** Films on paper: what was to be drawn, moment by moment. */
+  readonly films: { shot: FilmShot; moments: Moment[] }[] = [];
+  async studio(): Promise<Studio> {
+    return {
+      kinds: async () => ["mp4", "webm"],
+      film: async (shot, momentAt, { signal, onProgress }) => {
+        const moments: Moment[] = [];
+        this.films.push({ shot, moments });
+        while (moments.length < shot.frames) {
+          moments.push(await momentAt(moments.length));
+          signal.throwIfAborted();
+          onProgress(moments.length);
+        }
+        return new TextEncoder().encode(`${shot.kind} of ${shot.frames}`);
+      },
+      picture: async (shot) => new TextEncoder().encode(`png of ${shot.width} by ${shot.height}`),
+    };
   }
   dispose(): void {
     this.told.push("dispose");
