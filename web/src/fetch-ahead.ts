@@ -6,7 +6,7 @@ export function fetchAhead(): void {
   setTimeout(async () => {
     const parts = [
       () => import("./ui/elements/late"),
-      () => import("./io/project-file"),
+      () => import("./app/project-saving"),
       () => import("./app/exporting"),
       () => import("./engine/skin-in-worker"),
       () => import("./app/keeping"),

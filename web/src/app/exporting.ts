@@ -12,9 +12,11 @@ import { pairingFault } from "../sync/pairing";
 import { bytes as sizeOf, count } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
+import type { Cast } from "./cast";
 import type { Context } from "./context";
 import { errorText } from "./error-words";
 import { Filming } from "./filming";
+import { Linking } from "./linking";
 import type { MotionEntry, Motions } from "./motions";
 import type { Ports } from "./ports";
 import type { Presenter } from "./presenter";
@@ -27,10 +29,11 @@ export interface ExportHelpers {
   readonly motions: Motions;
   readonly builtins: Builtins;
   readonly presenter: Presenter;
+  readonly cast: Cast;
 }
 
 /** What is taken away. */
-export type Souvenir = "model" | "film";
+export type Souvenir = "model" | "film" | "link";
 
 export interface ExportWish {
   /** Frames per second. */
@@ -65,6 +68,7 @@ export class Exporting {
   state: ExportState = { kind: "closed" };
   what: Souvenir = "model";
   readonly film: Filming;
+  readonly link: Linking;
   private work = new AbortController();
   /** Frames of this document's dances, by motion; another wish may want them again. */
   private danced: { document: ProjectDocument | null; frames: Map<string, Frame[] | null> } = { document: null, frames: new Map() };
@@ -75,6 +79,7 @@ export class Exporting {
     private readonly ports: Pick<Ports, "files" | "buildSkin">,
   ) {
     this.film = new Filming(context, helpers.presenter, ports);
+    this.link = new Linking(context, helpers);
   }
 
   get motions(): readonly MotionEntry[] {
@@ -92,11 +97,10 @@ export class Exporting {
     if (what === this.what) return;
     this.what = what;
     this.film.close();
-    if (what === "film") {
-      if (this.state.kind === "making") this.stop();
-      this.film.show();
-    } else if (this.state.kind === "made") this.tell(this.state);
-    else this.make();
+    if (what === "model" && this.state.kind === "stopped") return this.make();
+    if (what !== "model" && this.state.kind === "making") this.work.abort();
+    this.tell(this.state.kind === "making" ? { kind: "stopped" } : this.state);
+    if (what === "film") this.film.show();
   }
 
   want(change: Partial<ExportWish>): void {

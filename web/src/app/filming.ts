@@ -116,7 +116,7 @@ export class Filming {
     try {
       const studio = await this.studio();
       const turns = wish.turntable ? Math.max(1, Math.round(wish.seconds / TURN_SECONDS)) : 0;
-      const shot: FilmShot = { ...this.shot(wish.kind === "gif" ? GIF_SHRINKS : 1), kind: wish.kind, frames, turns };
+      const shot: FilmShot = { ...this.shot(wish.kind === "gif" ? GIF_SHRINKS : 1), kind: wish.kind, frames, fps: FPS, turns };
       const onProgress = (done: number): void => tell({ kind: "making", done, of: frames });
       const bytes = await studio.film(shot, (n) => this.momentAt(n, signal), { signal, onProgress });
       tell({ kind: "made", film: { name: `${document.name}.${wish.kind}`, type: TYPES[wish.kind], bytes } });

@@ -22,6 +22,8 @@ export interface Shot {
 export interface FilmShot extends Shot {
   readonly kind: FilmKind;
   readonly frames: number;
+  /** Frames per second. */
+  readonly fps: number;
   /** How often the camera goes around while it lasts; 0: it stays where the person put it. */
   readonly turns: number;
 }
@@ -38,7 +40,7 @@ export interface Studio {
   /** What this browser can make in such a size, the one that plays in most places first. */
   kinds(shot: Pick<Shot, "width" | "height">): Promise<readonly FilmKind[]>;
   /**
-   * The bytes of a film of 30 frames a second, however long each takes to draw; the stage shows nothing meanwhile and is as it was
+   * The bytes of a film, which plays at its pace however long a frame takes to draw; the stage shows nothing meanwhile and is as it was
    * afterwards. Rejects with the signal's reason, or with words to be shown.
    */
   film(shot: FilmShot, momentAt: (frame: number) => Promise<Moment>, call: FilmCall): Promise<Uint8Array<ArrayBuffer>>;

@@ -11,7 +11,6 @@ import {
   WebMOutputFormat,
 } from "mediabunny";
 import type { FilmKind, FilmShot, Shot } from "../stage/studio";
-import { FPS } from "../util/constants";
 
 export interface Reel {
   /** What the canvas shows now is the next frame. */
@@ -30,18 +29,18 @@ export async function encodableKinds({ width, height }: Pick<Shot, "width" | "he
   return kinds.length > 0 ? kinds : ["gif"];
 }
 
-export async function videoReel({ kind, width, height, clear }: FilmShot, canvas: HTMLCanvasElement): Promise<Reel> {
+export async function videoReel({ kind, width, height, clear, fps }: FilmShot, canvas: HTMLCanvasElement): Promise<Reel> {
   const codecs = CODECS[kind === "mp4" ? "mp4" : "webm"];
   const codec = await getFirstEncodableVideoCodec(codecs, { width, height, quality: QUALITY_HIGH });
   if (!codec) throw new Error(`This browser cannot make a ${kind.toUpperCase()} of ${width} by ${height} pixels.`);
   const target = new BufferTarget();
   const output = new Output({ format: kind === "mp4" ? new Mp4OutputFormat() : new WebMOutputFormat(), target });
   const source = new CanvasSource(canvas, { codec, quality: QUALITY_HIGH, alpha: clear ? "keep" : "discard" });
-  output.addVideoTrack(source, { frameRate: FPS });
+  output.addVideoTrack(source, { frameRate: fps });
   await output.start();
   let frames = 0;
   return {
-    add: () => source.add(frames++ / FPS, 1 / FPS),
+    add: () => source.add(frames++ / fps, 1 / fps),
     finish: async () => {
       await output.finalize();
       return new Uint8Array(target.buffer ?? new ArrayBuffer(0));

@@ -18,9 +18,9 @@ export class Viewport implements StagePort {
   private readonly root = document.createElement("div");
   private readonly shadow = this.root.attachShadow({ mode: "open" });
   private readonly events = new Emitter<StageEvents>();
-  private readonly scenery: Scenery;
-  private readonly rig: CameraRig;
-  private readonly figures: Figures;
+  readonly scenery: Scenery;
+  readonly rig: CameraRig;
+  readonly figures: Figures;
   private readonly hand: PointHand;
   private readonly annotations: Annotations;
   private readonly interaction: Interaction;
@@ -33,7 +33,8 @@ export class Viewport implements StagePort {
   private movedAt = -Infinity;
   private insets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
-  private frame = 0;
+  /** The picture that is due. */
+  frame = 0;
   private before = 0;
   private pictureStale = true;
   private lost = false;
@@ -156,12 +157,7 @@ export class Viewport implements StagePort {
   }
 
   async studio(): Promise<Studio> {
-    const { StageStudio } = await import("./studio");
-    return new StageStudio(this.scenery, this.figures, this.rig, (on) => {
-      cancelAnimationFrame(this.frame);
-      this.frame = Number(on); // as if a picture was due, so none is asked for
-      if (!on) this.resize();
-    });
+    return new (await import("./studio")).StageStudio(this);
   }
 
   dispose(): void {
@@ -236,7 +232,7 @@ export class Viewport implements StagePort {
     if (!this.hand.holding) this.rig.setContent(this.scenery.content); // nothing moves under the hand
   }
 
-  private resize(): void {
+  resize(): void {
     const { clientWidth: width, clientHeight: height } = this.root;
     if (width < 1 || height < 1) return;
     this.size = { width, height };

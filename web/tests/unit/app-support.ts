@@ -194,6 +194,7 @@ export function testPorts(shelf = new TestShelf()): TestPorts {
     assets,
     clock: new Clock(),
     shelf,
+    address: { link: "", forget: () => Object.assign(ports.address, { link: "" }) },
     memory: { project: null, opening: null, kept: shelf.kept.size > 0 },
     openShelf: async () => shelf.tab(),
     downloads: [],

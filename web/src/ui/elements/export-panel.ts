@@ -8,10 +8,12 @@ import { base } from "../styles";
 import { choiceRow, choiceStyle, progressBar } from "./choice-row";
 import { dialogStyle } from "./dialog-style";
 import "./film-panel";
+import "./link-panel";
 
 const SOUVENIRS = [
   ["model", "Model"],
   ["film", "Film"],
+  ["link", "Link"],
 ] as const;
 
 /** What a dance is taken away as, and how like it that is, before it is saved. */
@@ -67,7 +69,13 @@ export class ExportPanel extends SessionElement {
         ([id, words]) => html`<button class="btn" aria-pressed=${what === id} @click=${() => exporting.choose(id)}
           ><span>${words}</span></button>`,
       )}</div>
-      ${what === "film" ? html`<rigless-film .session=${this.session}></rigless-film>` : this.renderWish(exporting)}`;
+      ${this.renderChosen(exporting)}`;
+  }
+
+  private renderChosen(exporting: Exporting) {
+    if (exporting.what === "film") return html`<rigless-film .session=${this.session}></rigless-film>`;
+    if (exporting.what === "link") return html`<rigless-link .session=${this.session}></rigless-link>`;
+    return this.renderWish(exporting);
   }
 
   private renderWish(exporting: Exporting) {
