@@ -23,6 +23,7 @@ declare class TextDecoder {
 }
 
 declare function atob(text: string): string;
+declare function btoa(letters: string): string;
 
 /** Only named, by what the engine says of itself. */
 declare namespace WebAssembly {

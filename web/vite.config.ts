@@ -32,6 +32,14 @@ export default defineConfig({
   preview: { port: 5173, strictPort: true },
   plugins: [
     {
+      name: "dense-json", // projects are laid out for people who read them: nobody does on their way into the page
+      apply: "build",
+      generateBundle(_, bundle) {
+        for (const asset of Object.values(bundle))
+          if (asset.type === "asset" && asset.fileName.endsWith(".json")) asset.source = JSON.stringify(JSON.parse(String(asset.source)));
+      },
+    },
+    {
       name: "absent",
       apply: "build",
       transform(code, id) {

@@ -7,7 +7,7 @@ export function fetchAhead(): void {
     const parts = [
       () => import("./ui/elements/late"),
       () => import("./ui/assist"),
-      () => import("./io/project-file"),
+      () => import("./app/project-saving"),
       () => import("./app/exporting"),
       () => import("./engine/skin-in-worker"),
       () => import("./app/keeping"),

@@ -10,4 +10,5 @@ const app = new App();
 app.session = new Session(ports);
 app.buildStage = (host) => new Viewport(host);
 document.body.prepend(app);
+addEventListener("hashchange", () => location.reload()); // a link that is pasted where Rigless is open already
 fetchAhead();

@@ -1,4 +1,4 @@
-// What a dance is taken away as: made before it is saved, so that its size and likeness are seen first. Not part of the first load.
+// What a dance is taken away as: a model of which size and likeness are seen before it is saved, or a film. Not part of the first load.
 
 import { saidOf } from "../document/clips";
 import type { ProjectDocument } from "../document/types";
@@ -12,10 +12,14 @@ import { pairingFault } from "../sync/pairing";
 import { bytes as sizeOf, count } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
+import type { Cast } from "./cast";
 import type { Context } from "./context";
 import { errorText } from "./error-words";
+import { Filming } from "./filming";
+import { Linking } from "./linking";
 import type { MotionEntry, Motions } from "./motions";
 import type { Ports } from "./ports";
+import type { Presenter } from "./presenter";
 import type { Sources } from "./sources";
 
 export { PACES, PROFILES, sayHolding };
@@ -24,7 +28,12 @@ export interface ExportHelpers {
   readonly sources: Sources;
   readonly motions: Motions;
   readonly builtins: Builtins;
+  readonly presenter: Presenter;
+  readonly cast: Cast;
 }
+
+/** What is taken away. */
+export type Souvenir = "model" | "film" | "link";
 
 export interface ExportWish {
   /** Frames per second. */
@@ -57,6 +66,9 @@ const FITTING = 0.5;
 export class Exporting {
   wish: ExportWish = { profile: PROFILES[0], all: false, inPlace: false, fps: 30 };
   state: ExportState = { kind: "closed" };
+  what: Souvenir = "model";
+  readonly film: Filming;
+  readonly link: Linking;
   private work = new AbortController();
   /** Frames of this document's dances, by motion; another wish may want them again. */
   private danced: { document: ProjectDocument | null; frames: Map<string, Frame[] | null> } = { document: null, frames: new Map() };
@@ -65,15 +77,30 @@ export class Exporting {
     private readonly context: Context,
     private readonly helpers: ExportHelpers,
     private readonly ports: Pick<Ports, "files" | "buildSkin" | "buildMorphs">,
-  ) {}
+  ) {
+    this.film = new Filming(context, helpers.presenter, ports);
+    this.link = new Linking(context, helpers);
+  }
 
   get motions(): readonly MotionEntry[] {
     return this.helpers.motions.list;
   }
 
   show(): void {
+    this.what = "model";
     this.wish = { ...this.wish, all: false, inPlace: this.context.document.settings.inPlace };
     this.make();
+  }
+
+  /** One thing is made at a time. */
+  choose(what: Souvenir): void {
+    if (what === this.what) return;
+    this.what = what;
+    this.film.close();
+    if (what === "model" && this.state.kind === "stopped") return this.make();
+    if (what !== "model" && this.state.kind === "making") this.work.abort();
+    this.tell(this.state.kind === "making" ? { kind: "stopped" } : this.state);
+    if (what === "film") this.film.show();
   }
 
   want(change: Partial<ExportWish>): void {
@@ -89,6 +116,7 @@ export class Exporting {
   close(): void {
     if (this.state.kind === "closed") return;
     this.work.abort();
+    this.film.close();
     this.danced = { document: null, frames: new Map() };
     this.tell({ kind: "closed" });
   }

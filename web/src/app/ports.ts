@@ -104,7 +104,16 @@ export interface MemoryPort {
   kept: boolean;
 }
 
+/** Where the page is. */
+export interface AddressPort {
+  /** What stands behind the "#". */
+  readonly link: string;
+  /** Leaves that out from now on. */
+  forget(): void;
+}
+
 export interface Ports {
+  readonly address: AddressPort;
   readonly files: FilesPort;
   readonly assets: AssetsPort;
   readonly clock: ClockPort;

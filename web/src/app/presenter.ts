@@ -25,7 +25,7 @@ export interface Shown {
 
 /** Puts what is now on the stage: the model, the human, the dots and the frame. Nobody else tells the stage anything. */
 export class Presenter {
-  private stage: StagePort | null = null;
+  stage: StagePort | null = null;
   /** The hand's shape stays at this frame until the new dance has one of its own. */
   private frozen: number | null = null;
   /** What shows while there is no dance. */
@@ -209,7 +209,7 @@ export class Presenter {
   }
 
   /** J x 3 world; on the spot if the model is. */
-  private humanPose(frame: number): Float32Array {
+  humanPose(frame: number): Float32Array {
     const { motion, document } = this.context;
     if (!motion) return new Float32Array(0);
     const size = 3 * motion.joints.length;

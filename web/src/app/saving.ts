@@ -1,4 +1,3 @@
-import { errorText } from "./error-words";
 import type { Context } from "./context";
 import type { Exporting, ExportHelpers } from "./exporting";
 import type { Ports } from "./ports";
@@ -15,16 +14,7 @@ export class Saving {
   ) {}
 
   async save(): Promise<void> {
-    const { document, model, history, notices } = this.context;
-    if (!model) return;
-    try {
-      const { projectFileName, saveProject } = await import("../io/project-file");
-      const zip = saveProject(document, this.helpers.sources.filesOf(model, document.motion.files));
-      this.ports.files.download(projectFileName(document), zip.slice(), "application/zip");
-      history.markSaved();
-    } catch (error) {
-      notices.say({ bad: true, title: "The project could not be saved.", text: errorText(error) });
-    }
+    await (await import("./project-saving")).saveProject(this.context, this.helpers.sources, this.ports.files);
   }
 
   /** Shows what an animated model would be like, and makes it. */

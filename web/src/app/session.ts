@@ -72,17 +72,18 @@ export class Session {
   }
 
   /**
-   * Begins with what the browser keeps, or else with the cactus. The stage is built while the engine bakes: its shaders keep
-   * the page busy, and the engine would wait for its orders behind them.
+   * Begins with what a link holds, what the browser keeps, or else the cactus. The stage is built while the engine bakes: its
+   * shaders keep the page busy, and the engine would wait for its orders behind them.
    */
   async start(buildStage: () => StagePort): Promise<void> {
     const { selection, workspace } = this.context;
-    const { memory } = this.ports;
+    const { address, memory } = this.ports;
     if (!memory.kept) selection.beginIntro();
     const build = (): void => {
       if (!this.presenter.hasStage) this.build(buildStage);
     };
     workspace.on("performance", () => setTimeout(build)); // after the engine has been told to bake
+    if (address.link && (await (await import("./link-opening")).openLink(this.context, this, this.ports))) return;
     if (memory.kept && (await (await this.keep()).resume())) return;
     if (!(await this.opening.first())) build();
   }

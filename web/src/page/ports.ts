@@ -9,6 +9,7 @@ import { files } from "./files";
 import { memory } from "./memory";
 
 export const ports: Ports = {
+  address: { link: location.hash.slice(1), forget: () => history.replaceState(null, "", location.pathname) },
   assets,
   clock,
   files,

@@ -4,6 +4,7 @@ import type { GltfDocument } from "../gltf/document";
 import type { Drawn } from "../gltf/drawn";
 import type { JointName } from "../skeleton/body-parts";
 import type { SolidCells } from "../util/solid-cells";
+import type { Studio } from "./studio";
 
 /** A model as drawn: its document, and where what that shows stands at rest, in stage metres and axes. */
 export interface DrawnModel extends Drawn {
@@ -104,5 +105,7 @@ export interface StagePort {
   fit(): void;
   /** Small picture of a shape, local or world, as a data URL. */
   thumbnail(shape: Shape, size: number): string;
+  /** For films of it; not part of the first load. */
+  studio(): Promise<Studio>;
   dispose(): void;
 }

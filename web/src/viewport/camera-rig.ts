@@ -23,7 +23,7 @@ export class CameraRig {
   /** Metres that the framing asks for; with a camera in the hand, when the hand last moved it. */
   private distance = 0;
   /** The hand's distance beside it. */
-  private zoom = 1;
+  zoom = 1;
   private view: View = { width: 1, height: 1, insets: { left: 0, top: 0, right: 0, bottom: 0 } };
   private content: Content = { width: 2.7, height: 1.75, depth: 1 };
   private readonly shift = new Vector2();

@@ -45,7 +45,7 @@ export class Scenery {
   content: Content = { width: 2.7, height: PERSON_HEIGHT, depth: 1 };
   private readonly fog = new Fog("#ffffff");
   private readonly lights = new Lights();
-  private readonly ground = new Ground();
+  readonly ground = new Ground();
   private readonly travel: Travel;
   /** 1: both on one spot. */
   private together = 0;

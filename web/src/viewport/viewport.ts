@@ -1,6 +1,7 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
 import type { DrawnHuman, DrawnModel, Insets, PointMark, Shape, StageEvents, StageLook, StagePort } from "../stage/port";
+import type { Studio } from "../stage/studio";
 import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
 import { CameraRig } from "./camera-rig";
@@ -17,9 +18,9 @@ export class Viewport implements StagePort {
   private readonly root = document.createElement("div");
   private readonly shadow = this.root.attachShadow({ mode: "open" });
   private readonly events = new Emitter<StageEvents>();
-  private readonly scenery: Scenery;
-  private readonly rig: CameraRig;
-  private readonly figures: Figures;
+  readonly scenery: Scenery;
+  readonly rig: CameraRig;
+  readonly figures: Figures;
   private readonly hand: PointHand;
   private readonly annotations: Annotations;
   private readonly interaction: Interaction;
@@ -32,7 +33,8 @@ export class Viewport implements StagePort {
   private movedAt = -Infinity;
   private insets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
-  private frame = 0;
+  /** The picture that is due. */
+  frame = 0;
   private before = 0;
   private pictureStale = true;
   private lost = false;
@@ -154,6 +156,10 @@ export class Viewport implements StagePort {
     return url;
   }
 
+  async studio(): Promise<Studio> {
+    return new (await import("./studio")).StageStudio(this);
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.frame);
     this.lost = true; // nothing draws any more
@@ -226,7 +232,7 @@ export class Viewport implements StagePort {
     if (!this.hand.holding) this.rig.setContent(this.scenery.content); // nothing moves under the hand
   }
 
-  private resize(): void {
+  resize(): void {
     const { clientWidth: width, clientHeight: height } = this.root;
     if (width < 1 || height < 1) return;
     this.size = { width, height };

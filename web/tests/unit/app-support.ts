@@ -18,6 +18,7 @@ import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
 import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
+import type { FilmShot, Moment, Studio } from "../../src/stage/studio";
 import { Emitter } from "../../src/util/emitter";
 
 const ASSETS = new URL("../../assets/", import.meta.url);
@@ -117,6 +118,24 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   thumbnail(shape: Shape, size: number): string {
     return `picture of ${shape.length / 3} at ${size}, ${shape.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
   }
+  /** Films on paper: what was to be drawn, moment by moment. */
+  readonly films: { shot: FilmShot; moments: Moment[] }[] = [];
+  async studio(): Promise<Studio> {
+    return {
+      kinds: async () => ["mp4", "webm"],
+      film: async (shot, momentAt, { signal, onProgress }) => {
+        const moments: Moment[] = [];
+        this.films.push({ shot, moments });
+        while (moments.length < shot.frames) {
+          moments.push(await momentAt(moments.length));
+          signal.throwIfAborted();
+          onProgress(moments.length);
+        }
+        return new TextEncoder().encode(`${shot.kind} of ${shot.frames}`);
+      },
+      picture: async (shot) => new TextEncoder().encode(`png of ${shot.width} by ${shot.height}`),
+    };
+  }
   dispose(): void {
     this.told.push("dispose");
   }
@@ -175,6 +194,7 @@ export function testPorts(shelf = new TestShelf()): TestPorts {
     assets,
     clock: new Clock(),
     shelf,
+    address: { link: "", forget: () => Object.assign(ports.address, { link: "" }) },
     memory: { project: null, opening: null, kept: shelf.kept.size > 0 },
     openShelf: async () => shelf.tab(),
     downloads: [],

@@ -5,7 +5,16 @@ import { bytes, count } from "../../util/words";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base } from "../styles";
+import { choiceRow, choiceStyle, progressBar } from "./choice-row";
 import { dialogStyle } from "./dialog-style";
+import "./film-panel";
+import "./link-panel";
+
+const SOUVENIRS = [
+  ["model", "Model"],
+  ["film", "Film"],
+  ["link", "Link"],
+] as const;
 
 /** What a dance is taken away as, and how like it that is, before it is saved. */
 @customElement("rigless-export")
@@ -16,31 +25,20 @@ export class ExportPanel extends SessionElement {
   static override styles = [
     base,
     dialogStyle,
+    choiceStyle,
     css`
       dialog { width: 456px; max-width: calc(100vw - 16px); max-height: calc(100dvh - 16px); }
       dialog[open] { display: grid; grid-template-columns: minmax(0, 1fr); gap: 12px; align-content: start; }
       h2 { gap: 8px; }
       h2 span { overflow-wrap: anywhere; }
-      .row { display: grid; grid-template-columns: 72px minmax(0, 1fr); gap: 8px; align-items: center; font: var(--t-small);
-        color: var(--ink-2); }
-      .seg { display: flex; padding: 2px; border-radius: var(--r-m); background: var(--desk); box-shadow: inset 0 0 0 1px var(--line); }
-      .seg .btn { flex: 1; min-width: 0; min-height: max(28px, var(--hit) - 4px); border-radius: 8px; padding: 0 8px; font: var(--t-body); }
-      .seg .btn[aria-pressed="true"] { background: var(--ink); color: var(--on-ink); font-weight: 600; }
-      .seg span { overflow: hidden; text-overflow: ellipsis; }
       .facts { display: grid; grid-template-columns: 72px minmax(0, 1fr); gap: 4px 8px; padding: 12px 16px; border-radius: var(--r-l);
         min-height: 124px; background: var(--desk); align-content: start; }
       dt { font: var(--t-small); color: var(--ink-2); line-height: 20px; }
       dd { margin: 0; font: var(--t-body); }
       .facts p { grid-column: 1 / -1; font: var(--t-small); color: var(--ink-2); }
       .facts p.bad { color: var(--bad); font: var(--t-body); }
-      .making { grid-column: 1 / -1; display: grid; gap: 12px; align-self: center; padding-top: 16px; }
-      .making p { font: var(--t-body); color: var(--ink); }
-      .progress { position: relative; height: 14px; border-radius: var(--r-full); background: var(--well); }
-      .progress i { position: absolute; inset: 0 calc(100% - var(--p) * 100%) 0 0; border-radius: var(--r-full); background: var(--ink); }
-      .acts { display: flex; justify-content: flex-end; gap: var(--s1); }
-      .acts .primary { min-width: 0; }
-      .acts span { overflow: hidden; text-overflow: ellipsis; }
-      @media (max-width: 719px) { dialog { padding: 8px 16px 16px; } .row, .facts { grid-template-columns: 60px minmax(0, 1fr); } }
+      .what { margin: -4px 0 4px; }
+      @media (max-width: 719px) { dialog { padding: 8px 16px 16px; } .facts { grid-template-columns: 60px minmax(0, 1fr); } }
     `,
   ];
 
@@ -60,8 +58,24 @@ export class ExportPanel extends SessionElement {
     return html`<dialog aria-labelledby="title" @close=${() => exporting?.close()}>
       <h2><span id="title">Take ${name} with you</span
         ><button class="btn icon" aria-label="Close" @click=${() => exporting?.close()}>${icon("close")}</button></h2>
-      ${exporting && exporting.state.kind !== "closed" ? this.renderWish(exporting) : ""}
+      ${exporting && exporting.state.kind !== "closed" ? this.renderSouvenir(exporting) : ""}
     </dialog>`;
+  }
+
+  private renderSouvenir(exporting: Exporting) {
+    const { what } = exporting;
+    return html`
+      <div class="seg what" role="group" aria-label="What to take">${SOUVENIRS.map(
+        ([id, words]) => html`<button class="btn" aria-pressed=${what === id} @click=${() => exporting.choose(id)}
+          ><span>${words}</span></button>`,
+      )}</div>
+      ${this.renderChosen(exporting)}`;
+  }
+
+  private renderChosen(exporting: Exporting) {
+    if (exporting.what === "film") return html`<rigless-film .session=${this.session}></rigless-film>`;
+    if (exporting.what === "link") return html`<rigless-link .session=${this.session}></rigless-link>`;
+    return this.renderWish(exporting);
   }
 
   private renderWish(exporting: Exporting) {
@@ -70,19 +84,19 @@ export class ExportPanel extends SessionElement {
     const now = motions.find((entry) => this.session.motions.isPlaying(entry))?.name ?? "This motion";
     const made = state.kind === "made" ? state.file : null;
     return html`
-      ${row("Motions", [
+      ${choiceRow("Motions", [
         [now, !wish.all, () => exporting.want({ all: false })],
         [`All ${motions.length} motions`, wish.all, () => exporting.want({ all: true })],
       ])}
-      ${row(
+      ${choiceRow(
         "Kind",
         PROFILES.map((profile) => [profile.name, wish.profile === profile, () => exporting.want({ profile })]),
       )}
-      ${row("Goes", [
+      ${choiceRow("Goes", [
         ["Travelling", !wish.inPlace, () => exporting.want({ inPlace: false })],
         ["In place", wish.inPlace, () => exporting.want({ inPlace: true })],
       ])}
-      ${row(
+      ${choiceRow(
         "Frames",
         PACES.map((fps) => [`${fps} fps`, wish.fps === fps, () => exporting.want({ fps })]),
       )}
@@ -97,21 +111,11 @@ export class ExportPanel extends SessionElement {
 
   private renderState({ state, wish }: Exporting) {
     if (state.kind === "making")
-      return html`<div class="facts"><div class="making"><p>${state.step}, ${Math.round(100 * state.done)} %</p>
-        <div class="progress" role="progressbar" aria-label="Making the file" aria-valuemin="0" aria-valuemax="100"
-          aria-valuenow=${Math.round(100 * state.done)} style="--p:${state.done}"><i></i></div></div></div>`;
+      return html`<div class="facts">${progressBar("Making the file", `${state.step}, ${Math.round(100 * state.done)} %`, state.done)}</div>`;
     if (state.kind === "failed") return html`<div class="facts" role="alert"><p class="bad">${state.why}</p></div>`;
     if (state.kind === "made") return html`<dl class="facts" aria-live="polite">${facts(state.file, wish.profile.worksIn)}</dl>`;
     return html`<div class="facts"><p>Nothing was made.</p></div>`;
   }
-}
-
-type Choice = readonly [words: string, chosen: boolean, choose: () => void];
-
-function row(label: string, choices: readonly Choice[]): TemplateResult {
-  return html`<div class="row"><span aria-hidden="true">${label}</span><div class="seg" role="group" aria-label=${label}>${choices.map(
-    ([words, chosen, choose]) => html`<button class="btn" aria-pressed=${chosen} @click=${choose}><span>${words}</span></button>`,
-  )}</div></div>`;
 }
 
 function facts({ bytes: file, likeness, clips, frames, notes }: MadeFile, worksIn: string): TemplateResult {
