@@ -143,6 +143,7 @@ struct SolidInfo {
 struct SkinInfo {
   Number joints;   // J
   Number frames;   // F
+  Number targets;  // K
   Number rms;      // of all vertices in all frames, in diagonals
   Number worst;    // the same
   Number normals;  // radians, rms

@@ -47,6 +47,7 @@ RIGLESS_EXPORT const SkinInfo* skin_info() {
   return answer<SkinInfo>({
       .joints = skin.joints(),
       .frames = skin.root.size(),
+      .targets = skin.targets,
       .rms = skin.rms,
       .worst = skin.worst,
       .normals = skin.normals,
@@ -59,6 +60,9 @@ RIGLESS_EXPORT const std::int32_t* skin_joints() { return builder.skin().joint.d
 RIGLESS_EXPORT const float* skin_weights() { return builder.skin().weight.data(); }
 RIGLESS_EXPORT const float* skin_roots() { return builder.skin().root.data()->turn.coeffs().data(); }
 RIGLESS_EXPORT const float* skin_poses() { return builder.skin().pose.data()->turn.coeffs().data(); }
+// K x V x 3 and F x K
+RIGLESS_EXPORT const float* skin_ways() { return reinterpret_cast<const float*>(builder.skin().way.data()); }
+RIGLESS_EXPORT const float* skin_mix() { return builder.skin().mix.data(); }
 
 // The same for morph targets: `targets` at most.
 RIGLESS_EXPORT PackedStatus begin_morphs(const float* positions, std::int32_t vertices, std::int32_t targets) {

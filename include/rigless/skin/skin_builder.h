@@ -6,6 +6,7 @@
 #include "rigless/skin/detail/joint_growth.h"
 #include "rigless/skin/detail/moving_points.h"
 #include "rigless/skin/detail/rigid_pose.h"
+#include "rigless/skin/detail/skin_correctives.h"
 #include "rigless/skin/detail/skin_likeness.h"
 
 namespace rigless {
@@ -15,10 +16,12 @@ struct SkinOptions {
   std::int32_t joints = 64;  // at most, 1 to 255
   double rms = 0.0013;       // of all vertices in all frames: the fewest joints that reach this
   double worst = 0.008;      // and this
+  std::int32_t targets = 8;  // at most, where joints alone do not
 };
 
-// V vertices, F frames, J joints. In frame f vertex v at p is at
+// V vertices, F frames, J joints, K morph targets. In frame f vertex v at rest_v is at
 //   root[f] (sum_k weight[4 v + k] (turn_j (p - centre_j) + place_j))   with j = joint[4 v + k] and its pose f J + j
+// and p = rest_v + sum_k mix[f K + k] way[k V + v].
 template <class S>
 struct Skin {
   static constexpr std::int32_t influences = detail::skin_influences;
@@ -31,6 +34,9 @@ struct Skin {
   std::vector<S> weight;            // V x 4, they sum to one
   std::vector<Pose> root;           // F, about the origin: the whole body's rigid motion
   std::vector<Pose> pose;           // F x J
+  std::vector<Vec3<S>> way;         // K x V
+  std::vector<S> mix;               // F x K; of each target the largest is 1 or -1
+  std::int32_t targets = 0;         // K
   double rms = 0, worst = 0;        // as in SkinOptions
   double normals = 0;               // radians, rms
 
@@ -71,7 +77,10 @@ class SkinBuilder {
         if (weigh()) stage_ = Stage::pose;
         break;
       case Stage::pose:
-        if (pose()) stage_ = finish() ? Stage::done : Stage::grow;
+        if (pose()) stage_ = finish() ? Stage::correct : Stage::grow;
+        break;
+      case Stage::correct:
+        if (correct()) stage_ = Stage::done;
         break;
       case Stage::done:
         break;
@@ -90,7 +99,9 @@ class SkinBuilder {
       case Stage::weigh:
         return 0.6 + 0.06 * passes_;
       case Stage::pose:
-        return 0.8 + 0.2 * static_cast<double>(posed_) / static_cast<double>(points_.roots.size());
+        return 0.8 + 0.1 * static_cast<double>(posed_) / static_cast<double>(points_.roots.size());
+      case Stage::correct:
+        return 0.9 + 0.1 * correctives_.progress();
       case Stage::done:
         break;
     }
@@ -101,7 +112,7 @@ class SkinBuilder {
   const Skin<S>& skin() const { return skin_; }
 
  private:
-  enum class Stage { gather, grow, weigh, pose, done };
+  enum class Stage { gather, grow, weigh, pose, correct, done };
   static constexpr std::int32_t sample = 3000;      // vertices that say how many joints there are and where
   static constexpr std::int32_t most_frames = 160;  // and frames
   static constexpr std::int32_t coordinates = 48;   // of a trajectory
@@ -208,6 +219,58 @@ class SkinBuilder {
     return false;
   }
 
+  // Until it returns true: what is still missed goes to morph targets.
+  bool correct() {
+    if (options_.targets == 0 || (skin_.rms <= options_.rms && skin_.worst <= options_.worst)) return true;
+    const std::size_t frames = points_.roots.size();
+    if (corrected_ < frames) {
+      std::vector<Vec3<S>> wanted;
+      if (corrected_ == 0) {
+        for (const Vec3<double>& p : points_.rest) wanted.push_back(p.template cast<S>());
+        if (!correctives_.begin(wanted, {options_.targets, options_.rms, options_.worst}).ok()) return true;
+        wanted.clear();
+      }
+      for (std::int32_t i = 0; i < points_.count(); ++i)
+        wanted.push_back(detail::before(motion_at(corrected_, i), points_.now(corrected_, i)).template cast<S>());
+      if (!correctives_.add_frame(wanted, false).ok()) return true;
+      ++corrected_;
+      return false;
+    }
+    if (correctives_.advance()) return false;
+    take_correctives();
+    return true;
+  }
+
+  detail::BlendedMotion motion_at(std::size_t f, std::int32_t i) const {
+    return detail::blended(nth(fit_.influences, i), skin_.centre, skin_.pose.data() + f * skin_.centre.size());
+  }
+
+  void take_correctives() {
+    const detail::Morphs<S>& morphs = correctives_.morphs();
+    const auto points = to_size(points_.count()), K = to_size(morphs.targets);
+    double sum = 0, worst = 0;
+    for (std::size_t f = 0; f < points_.roots.size(); ++f) {
+      for (std::size_t i = 0; i < points; ++i) {
+        Vec3<double> p = points_.rest[i];
+        for (std::size_t k = 0; k < K; ++k)
+          p += static_cast<double>(morphs.weight[f * K + k]) * morphs.way[k * points + i].template cast<double>();
+        const auto point = static_cast<std::int32_t>(i);
+        const detail::BlendedMotion motion = motion_at(f, point);
+        const double missed = (motion.A * p + motion.b - points_.now(f, point)).squaredNorm();
+        sum += missed;
+        worst = std::max(worst, missed);
+      }
+    }
+    const double all = static_cast<double>(points_.roots.size()) * static_cast<double>(points);
+    if (std::sqrt(sum / all) > skin_.rms * points_.diagonal) return;  // joints squeeze flat what they should move
+    skin_.rms = std::sqrt(sum / all) / points_.diagonal;
+    skin_.worst = std::sqrt(worst) / points_.diagonal;
+    skin_.targets = morphs.targets;
+    skin_.mix = morphs.weight;
+    for (std::size_t k = 0; k < K; ++k)
+      for (const std::int32_t point : points_.of_vertex) skin_.way.push_back(morphs.way[k * points + to_size(point)]);
+  }
+
   SkinOptions options_;
   detail::MovingPoints<S> points_;
   Stage stage_ = Stage::gather;
@@ -218,6 +281,8 @@ class SkinBuilder {
   detail::JointFit fit_;
   detail::FramePoses poses_;
   detail::SkinMeasure measure_;
+  detail::MorphBuilder<S> correctives_;
+  std::size_t corrected_ = 0;
   int passes_ = 0, rounds_ = 0;
   std::size_t posed_ = 0;
   Skin<S> skin_;

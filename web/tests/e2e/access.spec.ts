@@ -8,7 +8,8 @@ for (const scheme of ["light", "dark"] as const) {
     await open(page);
     for (const key of ["", "1", "2", "3", "4", "?"]) {
       if (key) await page.keyboard.press(key);
-      const { violations } = await new AxeBuilder({ page }).analyze();
+      const axe = new AxeBuilder({ page });
+      const { violations } = await (scheme === "dark" ? axe.withRules("color-contrast") : axe).analyze(); // nothing else differs
       const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
       expect(
         serious.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`),

@@ -3,6 +3,7 @@ import { dance, documentOf, pointAt, dragBy, open, pause, pauseBetweenPoses, set
 
 test("a cold page dances with nothing clicked and nothing wrong", async ({ page }) => {
   const errors = watchErrors(page);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   await page.goto("/");
   await page.waitForFunction(() => rigless?.playing && rigless.frame > 0);
   const seconds = await page.evaluate(() => performance.now() / 1000);

@@ -44,8 +44,8 @@ class MorphBuilder {
     return {};
   }
 
-  // V positions. Allocates. Errors: size_mismatch; not_finite (vertex).
-  Status add_frame(Span<const Vec3<S>> positions) { return points_.add_frame(positions); }
+  // V positions; `whole`: the body's rigid motion is the root's. Allocates. Errors: size_mismatch; not_finite (vertex).
+  Status add_frame(Span<const Vec3<S>> positions, bool whole = true) { return points_.add_frame(positions, whole); }
 
   // Works on; true while work is left. Without frames there is none. Allocates.
   bool advance() {

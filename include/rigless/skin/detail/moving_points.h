@@ -41,8 +41,8 @@ class MovingPoints {
     return {};
   }
 
-  // Errors: size_mismatch; not_finite (vertex).
-  Status add_frame(Span<const Vec3<S>> positions) {
+  // `whole`: the body's rigid motion is taken out. Errors: size_mismatch; not_finite (vertex).
+  Status add_frame(Span<const Vec3<S>> positions, bool whole = true) {
     if (positions.size() != vertices_.size()) return {Error::size_mismatch, -1};
     if (const Status s = check_finite(positions); !s.ok()) return s;
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -50,7 +50,7 @@ class MovingPoints {
     }
     const auto from = [&](std::int32_t v) { return wide(nth(vertices_, v)); };
     const auto to = [&](std::int32_t v) { return wide(positions[v]); };
-    roots.push_back(nearest_rigid_motion(count_of(vertices_), from, to));
+    roots.push_back(whole ? nearest_rigid_motion(count_of(vertices_), from, to) : RigidMotion());
     frames_.insert(frames_.end(), positions.begin(), positions.end());
     return {};
   }
