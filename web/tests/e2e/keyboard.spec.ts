@@ -69,6 +69,7 @@ test("Tab goes as the eye does and enters each list once; F6 spares most of it",
 test("a pose taught and a file taken along by the keyboard alone; every change is spoken, a burst of arrows is one step", async ({
   page,
 }) => {
+  test.setTimeout(240_000);
   const errors = watchErrors(page);
   await page.emulateMedia({ reducedMotion: "reduce" });
   await open(page);
