@@ -22,6 +22,8 @@ async function press(page: Page, key: string, times = 1): Promise<void> {
   for (let k = 0; k < times; k++) await page.keyboard.press(key);
 }
 
+test.use({ viewport: { width: 1000, height: 560 } });
+
 test("Tab goes as the eye does and enters each list once; F6 spares most of it", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await open(page);
@@ -95,6 +97,7 @@ test("a pose taught and a file taken along by the keyboard alone; every change i
   const { name } = await focus(page);
   expect(name).toMatch(/^2, /);
   const point = /^2, ([^,]+),/.exec(name)![1]!;
+  await page.waitForTimeout(1_000); // until the stage shows that frame
   await press(page, "ArrowUp", 4);
   await expect.poll(async () => (await documentOf(page)).examples.length, { timeout: 20_000 }).toBe(before.examples.length + 1);
   await expect(spoken).toHaveText(new RegExp(`^${point} 4 cm up.*, ${before.examples.length + 1} poses$`));
