@@ -19,7 +19,8 @@ export const appStyle = css`
   rigless-intro { position: absolute; inset: 0; }
   .low { grid-row: 3; display: grid; justify-items: end; align-content: end; min-width: 0; }
   .low > :not(.foot), .foot > * { pointer-events: auto; }
-  .foot { justify-self: stretch; display: flex; justify-content: space-between; align-items: end; min-width: 0; }
+  .foot { justify-self: stretch; display: flex; justify-content: space-between; align-items: end; container-type: inline-size; }
+  @media (min-width: 720px) { @container (max-width: 390px) { rigless-status { display: none; } } }
   rigless-prompt { justify-self: stretch; margin-bottom: 0; }
   .dock { grid-area: 3 / 1 / 4 / -1; background: var(--desk); border-top: 1px solid var(--line); padding: 0 var(--s2) var(--s1);
     z-index: 3; min-width: 0; }

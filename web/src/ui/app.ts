@@ -88,7 +88,7 @@ export class App extends LitElement {
       this.requestUpdate();
     });
     session.signals.on("document", (before) => {
-      if (session.history.touched) void this.assist().then((assist) => assist.speak(before));
+      if (session.history.touched && !this.helped) void this.assist().then((assist) => assist.speak(before));
     });
     if (matchMedia("(any-pointer: coarse)").matches)
       void import("./touch").then(({ listenToFingers }) => listenToFingers(this.host, session));

@@ -24,6 +24,8 @@ export class Assist {
     this.region.role = "status";
     root.append(this.region);
     const { signal } = this.abort;
+    const stop = session.signals.on("document", (before) => this.speak(before));
+    signal.addEventListener("abort", stop);
     addEventListener("keydown", (event) => event.key === "Tab" && oneStopEach(root, focused()), { signal, capture: true });
     addEventListener("keydown", (event) => this.keyed(event), { signal });
   }

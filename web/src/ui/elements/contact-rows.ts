@@ -71,7 +71,7 @@ export class ContactRows extends SessionElement {
       .bar::before, .flag::before { content: ""; position: absolute; inset: -8px 0; }
       @media (max-height: 740px) { :host { --shown: 2; } }
       @media (pointer: coarse) {
-        :host { --row: 44px; --shown: 2; }
+        :host { --row: 45px; --shown: 2; }
         .name .reset { width: 44px; }
         .bar::before, .flag::before { inset: -16px -12px; }
       }

@@ -64,7 +64,8 @@ export class Range extends LitElement {
         svg { inset: 10px 0; }
         .field-ends { order: 4; grid-column: 2; margin-top: -12px; }
       }
-      @media (min-width: 720px) and (max-height: 740px) { :host { min-height: 0; } .field-ends { display: none; } }
+      @media (min-width: 720px) and (max-height: 740px) { :host { min-height: 0; } .field-ends { display: none; } .range { height: 36px; }
+        svg { inset: 6px 0; } }
     `,
   ];
 

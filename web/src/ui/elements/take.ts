@@ -42,9 +42,9 @@ export class Take extends SessionElement {
       .handle:focus-visible { position: absolute; }
       .tip { position: absolute; bottom: 100%; left: var(--f); transform: translateX(-50%); padding: 2px 8px; border-radius: var(--r-s);
         background: var(--ink); color: var(--on-ink); font: var(--t-small); white-space: nowrap; pointer-events: none; z-index: 5; }
-      @media (max-width: 719px) {
-        :host { grid-template-columns: minmax(0, 1fr); height: 48px; }
-        .label { display: none; }
+      @media (max-width: 719px) { :host { grid-template-columns: minmax(0, 1fr); } .label { display: none; } }
+      @media (pointer: coarse), (max-width: 719px) {
+        :host { height: 48px; }
         .lane { height: 32px; }
         .steps { inset: 8px 0; }
         .best .ico { top: 9px; }

@@ -17,7 +17,8 @@ export class TopBar extends SessionElement {
       .brand { display: flex; align-items: center; gap: var(--s1); font: var(--t-title); letter-spacing: -.015em; margin-right: var(--s1); }
       .brand svg { width: 28px; height: 28px; }
       .rule { width: 1px; height: 24px; background: var(--line); margin: 0 var(--s1); }
-      .project { font: var(--t-strong); border-radius: var(--r-s); padding: 6px 8px; border: 0; background: none; color: inherit;
+      .project { font: var(--t-strong); border-radius: var(--r-s); padding: 0 8px; min-height: var(--hit); border: 0; background: none;
+        color: inherit;
         field-sizing: content; min-width: 48px; max-width: 240px; text-overflow: ellipsis; }
       .project:hover { background: var(--well); }
       .saved { font: var(--t-small); color: var(--ink-3); white-space: nowrap; }
@@ -27,7 +28,7 @@ export class TopBar extends SessionElement {
         :host { padding: 0 12px; gap: 0; }
         .brand span, .saved, .wide, .rule { display: none; }
         .brand { margin-right: 4px; }
-        .project { min-height: 44px; font-size: 16px; flex: 1; min-width: 0; max-width: none; }
+        .project { font-size: 16px; flex: 1; min-width: 0; max-width: none; }
         .undo { margin: 0; }
         .primary { margin-left: 8px; }
         .menu { display: inline-flex; }
