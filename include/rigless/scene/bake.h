@@ -12,8 +12,9 @@
 namespace rigless {
 
 // Deforms in the body-local frame, from rest, then puts back the yaw, adds the travel and sets the height: the lowest
-// vertex of a supported frame lies on y = 0; a flight is a throw from where the body left the ground to where it lands,
-// in the time that the human took. So a frame depends on nothing but the performance, whatever was made before it.
+// vertex of a supported frame lies on y = 0, where nothing stands as high as the human's feet are; a flight is a throw
+// from where the body left the ground to where it lands, in the time that the human took. So a frame depends on nothing
+// but the performance, whatever was made before it.
 template <class S>
 class Bake {
  public:
@@ -41,9 +42,9 @@ class Bake {
     if (flight != nullptr) height = height_in_flight(*flight, f);
     deform(f);
     const S grounded = -nth(lowest_, f);
-    height = flight != nullptr ? std::max(height, grounded) : grounded;
-
     const auto& travel = nth(performance_->travel, f);
+    height = flight != nullptr ? std::max(height, grounded) : grounded + travel[2];
+
     root_.position = {travel[0], height, travel[1]};
     root_.yaw = nth(performance_->yaw, f);
     return {};
