@@ -91,12 +91,14 @@ class Bake {
     return nth(lowest_, f);
   }
 
+  S supported_height(std::int32_t f) { return nth(performance_->travel, f)[2] - lowest(f); }
+
   // The height of the body's origin: a throw that lands exactly. The sum of flight_heights(), without its table.
   // Source: thesis Eq 3.31.
   S height_in_flight(const Flight& flight, std::int32_t f) {
     const S g = detail::gravity_per_frame(static_cast<S>(performance_fps));
-    const S start = -lowest(flight.take_off);
-    const S end = -lowest(flight.landing);
+    const S start = supported_height(flight.take_off);
+    const S end = supported_height(flight.landing);
     const auto k = static_cast<S>(f - flight.take_off);
     return start + k * detail::flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
   }

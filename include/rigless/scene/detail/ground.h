@@ -112,7 +112,8 @@ class Ground {
  private:
   static constexpr std::int32_t longest_stance = 60;  // frames: a loop's stances are whole on both sides of its seam
 
-  // How far the human is above what it stood on before and will stand on, in the model's size; 0 where it stands.
+  // How far the human is above what it stood on before and will stand on, in the model's size; 0 where it stands or
+  // flies.
   RIGLESS_COLD S lift(std::int32_t f) const {
     const std::size_t feet = standing_.control.size();
     const auto lowest = [&](std::int32_t g) {
@@ -124,6 +125,8 @@ class Ground {
       const auto labels = standing_.labels.begin() + static_cast<std::ptrdiff_t>(to_size(g) * feet);
       return std::count(labels, labels + static_cast<std::ptrdiff_t>(feet), 1) > 0;
     };
+    for (const Flight& flight : flights_)
+      if (flight.take_off < f && f < flight.landing) return 0;
     S least = 0;
     bool found = false;
     for (const std::int32_t way : {-1, 1}) {
