@@ -57,7 +57,7 @@ struct Performance {
 
 // The same in another scalar. Allocates.
 template <class T, class S>
-Performance<T> performance_cast(const Performance<S>& from) {
+RIGLESS_COLD Performance<T> performance_cast(const Performance<S>& from) {
   const auto number = [](S x) { return static_cast<T>(x); };
   Performance<T> to;
   to.frames = from.frames;

@@ -147,7 +147,7 @@ class PerformanceBuilder {
   }
 
  private:
-  static Status check(const PerformanceInput<S>& in) {
+  RIGLESS_COLD static Status check(const PerformanceInput<S>& in) {
     const auto controls = count_of(in.pairs);
     if (controls == 0) return {Error::no_controls, -1};
     if (in.rest.size() != in.pairs.size()) return {Error::size_mismatch, -1};
@@ -170,7 +170,7 @@ class PerformanceBuilder {
   }
 
   // On the finished tracks, so that what the ground asks for counts too.
-  void measure_constraints(Performance<S>& p) const {
+  RIGLESS_COLD void measure_constraints(Performance<S>& p) const {
     const auto at = [&](const TrackFrame& t) { return p.controls[to_size(t.frame) * controls_ + to_size(t.track)]; };
     for (const Constraint<S>& c : constraints_) {
       Vec3<S> miss = at(c.at) - c.value;
