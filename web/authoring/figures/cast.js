@@ -63,13 +63,12 @@ if (wanted.length === 0) {
     `# The cast and its repertoire
 
 Written by \`node web/authoring/figures/cast.js\`: every character with every motion, solved and drawn by the page's own engine and viewport.
-Heights are the character's or the human's own. Rise is how far the body's middle goes up and down, over the middle of the human's joints; amplitude how far
-points move in the body's frame, over their joints; slide the 95th percentile of the speed over the ground, in heights per second, of
-vertices that touch it. A frame floats if it neither stands nor flies. A body moves as far as its surface does on average, peak to peak,
-without its travel. Seam is
-the step at a loop's end over the 95th percentile of its steps. Crossings are pairs of triangles in the worst of every fourth frame, beyond those
-at rest. Penetration is the deepest that any vertex ever lies below the ground; peak acceleration, in heights/s², that of any point in the body's
-frame; guesswork how far frames are from the poses that were made by hand (0 taught, 1 guessed).
+Heights are the character's or the human's own. Rise is how far the body's middle goes up and down, over the middle of the human's joints;
+amplitude how far points move in the body's frame, over their joints; slide the 95th percentile of the speed over the ground, in heights per
+second, of vertices that touch it. A frame floats if it neither stands nor flies. A body moves as far as its surface does on average, peak to
+peak, without its travel. Seam is the step at a loop's end over the 95th percentile of its steps. Crossings are pairs of triangles in the worst
+of every fourth frame, beyond those at rest. Penetration is the deepest that any vertex ever lies below the ground; peak acceleration, in
+heights/s², that of any point in the body's frame; guesswork how far frames are from the poses that were made by hand (0 taught, 1 guessed).
 
 ${tables.join("\n")}`,
   );
