@@ -120,7 +120,7 @@ RIGLESS_EXPORT ObjectHandle bake_new() { return bakes.add(); }
 
 RIGLESS_EXPORT void bake_delete(ObjectHandle bake) { bakes.remove(bake); }
 
-// Takes a performance in: controls T x C x 3, yaw T, travel T x 2, flights as pairs of frames. The body and its
+// Takes a performance in: controls T x C x 3, yaw T, travel T x 3, flights as pairs of frames. The body and its
 // controls must stay.
 RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_t frames, const float* controls,
                                const float* yaw, const float* travel, const std::int32_t* flights,
@@ -131,7 +131,7 @@ RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_
   b.performance.frames = frames;
   assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->controls()));
   assign(b.performance.yaw, view<float>(yaw, frames));
-  assign(b.performance.travel, view<std::array<float, 2>>(travel, frames));
+  assign(b.performance.travel, view<std::array<float, 3>>(travel, frames));
   assign(b.performance.flights, view<rigless::Flight>(flights, flight_count));
   b.bake.bind(*b.body, b.performance, volume);
 }

@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "rigless/retarget/detail/example_size.h"
+#include "rigless/scene/bake.h"
 #include "scene/dancers.h"
 
 using namespace rigless;
@@ -164,4 +166,105 @@ TEST_CASE("a part that no joint moves lags, swings beyond and settles; a stiff o
   for (const Vec3d& p : lag(spring_of<double>(FollowThrough::floppy))) behind = std::min(behind, p.x() + 0.02);
   CHECK(behind < -0.15);
   for (const Vec3d& p : lag({0.3, 0.2})) CHECK(p.norm() < 0.4);
+}
+
+namespace {
+
+// A human of two joints, the hips a metre above the foot and as much higher as `up` says.
+StagedMotion<double> standing_human(std::int32_t frames, const std::function<double(std::int32_t)>& up) {
+  StagedMotion<double> motion;
+  motion.clip.skeleton = {{"Hips", "Foot"}, {-1, 0}};
+  motion.clip.frames = frames;
+  for (std::int32_t f = 0; f < frames; ++f) {
+    motion.local.emplace_back(0, 0, 0);
+    motion.local.emplace_back(0, -1 - up(f), 0);
+  }
+  return motion;
+}
+
+double bounce(std::int32_t f) { return 0.05 * std::sin(whole_turn * 1.5 * f / performance_fps); }
+
+double range(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+}  // namespace
+
+TEST_CASE("a body rises on its feet as far as the human does, once, and what is held stays") {
+  const StagedMotion<double> motion = standing_human(60, bounce);
+  const Rise<double> rise = rise_of<double>(motion, {60, 60}, 2.0, 2.0);
+  CHECK(range(rise.hips) == doctest::Approx(0.2).epsilon(0.1));  // a body twice as large
+  CHECK(range(rise.breath) < 0.01);                              // no time to breathe
+  const std::vector<Vec3d> rest = {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, root(60, Vec3d::Zero());
+  std::vector<Vec3d> still, rising;
+  for (std::size_t i = 0; i < 180; ++i) {
+    still.push_back(rest[i % 3]);
+    rising.emplace_back(rest[i % 3] + (i % 3 > 0 ? rise.hips[i / 3] : 0) * Vec3d::UnitY());
+  }
+  std::vector<double> freedom(180, 1);
+  for (std::size_t i = 2; i < freedom.size(); i += 3) freedom[i] = 0;
+  const auto heights = [&](std::vector<Vec3d> tracks, std::size_t c) {
+    give_weight<double>(rise, rest, 0.0, 2.0, freedom, root, tracks);
+    std::vector<double> y;
+    for (std::size_t i = c; i < tracks.size(); i += 3) y.push_back(tracks[i].y());
+    return y;
+  };
+  CHECK(range(heights(still, 0)) == 0);
+  CHECK(range(heights(still, 1)) == doctest::Approx(1.3 * 0.2).epsilon(0.2));
+  CHECK(range(heights(still, 2)) == 0);
+  CHECK(range(heights(rising, 1)) == doctest::Approx(range(rise.hips)).epsilon(0.01));
+}
+
+TEST_CASE("a human that stands still breathes: slowly, and in a loop without a seam") {
+  const StagedMotion<double> motion = standing_human(200, [](std::int32_t) { return 0.0; });
+  const std::vector<double> once = rise_of<double>(motion, {200, 0}, 1.0, 2.0).breath;
+  CHECK(range(once) == doctest::Approx(0.06));
+  CHECK(once[0] == 0);
+  CHECK(once[60] == doctest::Approx(0.06));
+  CHECK(once[120] == doctest::Approx(0));
+  const std::vector<double> loop = rise_of<double>(motion, {200, 200}, 1.0, 2.0).breath;
+  CHECK(loop[50] == doctest::Approx(0.06));
+  CHECK(loop[199] == doctest::Approx(loop[1]));
+  CHECK(range(rise_of<double>(motion, {200, 0}, 1.0, 2.0).hips) < 1e-12);
+  const StagedMotion<double> short_one = standing_human(20, [](std::int32_t) { return 0.0; });
+  CHECK(range(rise_of<double>(short_one, {20, 20}, 1.0, 2.0).breath) < 1e-3);  // no breath of less than a second
+}
+
+TEST_CASE("a body breathes on planted feet") {
+  Cactus<double> cactus("idle.bvh");
+  auto& local = cactus.motion.local;
+  for (std::size_t i = to_size(cactus.motion.clip.joints()); i < local.size(); ++i)
+    local[i] = local[i - to_size(cactus.motion.clip.joints())];
+  Performance<double> p;
+  REQUIRE(cactus.perform({}, p).ok());
+  for (std::size_t c = 0; c < p.control_count(); ++c) {
+    std::vector<double> heights;
+    for (std::size_t i = c; i < p.controls.size(); i += p.control_count()) heights.push_back(p.controls[i].y());
+    const double level = cactus.body.rest_controls()[c].y() / Cactus<double>::height;
+    CHECK(range(heights) == doctest::Approx(p.contacts[c] != 0 ? 0 : 0.03 * 1.7 * level).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a running cactus is in the air where the loop cuts its flight") {
+  Cactus<double> cactus("run.bvh");
+  Performance<double> p;
+  REQUIRE(cactus.perform({}, p).ok());
+  Bake<double> bake;
+  bake.bind(cactus.body, p, 1.0);
+  const auto lowest = [&](std::int32_t f) {
+    REQUIRE(bake.frame(f).ok());
+    double low = 1;
+    for (const Vec3d& v : bake.positions()) low = std::min(low, v.y());
+    return low;
+  };
+  const auto stands = [&](std::int32_t f) {
+    const auto from = p.contacts.begin() + static_cast<std::ptrdiff_t>(to_size(f) * p.control_count());
+    return std::count(from, from + static_cast<std::ptrdiff_t>(p.control_count()), 1) > 0;
+  };
+  REQUIRE_FALSE(stands(1));
+  CHECK(p.flights[0].take_off > 1);
+  CHECK(lowest(1) > 0.005);
+  REQUIRE(stands(5));
+  CHECK(lowest(5) == doctest::Approx(0).epsilon(1e-9));
 }

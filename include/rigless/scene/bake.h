@@ -12,8 +12,9 @@
 namespace rigless {
 
 // Deforms in the body-local frame, from rest, then puts back the yaw, adds the travel and sets the height: the lowest
-// vertex of a supported frame lies on y = 0; a flight is a throw from where the body left the ground to where it lands,
-// in the time that the human took. So a frame depends on nothing but the performance, whatever was made before it.
+// vertex of a supported frame lies on y = 0, where nothing stands as high as the human's feet are; a flight is a throw
+// from where the body left the ground to where it lands, in the time that the human took. So a frame depends on nothing
+// but the performance, whatever was made before it.
 template <class S>
 class Bake {
  public:
@@ -41,9 +42,9 @@ class Bake {
     if (flight != nullptr) height = height_in_flight(*flight, f);
     deform(f);
     const S grounded = -nth(lowest_, f);
-    height = flight != nullptr ? std::max(height, grounded) : grounded;
-
     const auto& travel = nth(performance_->travel, f);
+    height = flight != nullptr ? std::max(height, grounded) : grounded + travel[2];
+
     root_.position = {travel[0], height, travel[1]};
     root_.yaw = nth(performance_->yaw, f);
     return {};
@@ -90,12 +91,14 @@ class Bake {
     return nth(lowest_, f);
   }
 
+  S supported_height(std::int32_t f) { return nth(performance_->travel, f)[2] - lowest(f); }
+
   // The height of the body's origin: a throw that lands exactly. The sum of flight_heights(), without its table.
   // Source: thesis Eq 3.31.
   S height_in_flight(const Flight& flight, std::int32_t f) {
     const S g = detail::gravity_per_frame(static_cast<S>(performance_fps));
-    const S start = -lowest(flight.take_off);
-    const S end = -lowest(flight.landing);
+    const S start = supported_height(flight.take_off);
+    const S end = supported_height(flight.landing);
     const auto k = static_cast<S>(f - flight.take_off);
     return start + k * detail::flight_velocity(end - start, flight.landing - flight.take_off, g) + k * (k + 1) / 2 * g;
   }

@@ -35,13 +35,14 @@ struct Slip {
 // T frames of C controls at 30 fps.
 template <class S>
 struct Performance {
-  std::int32_t frames = 0;               // T
-  std::vector<Vec3<S>> controls;         // T x C, body-local stage metres
-  std::vector<std::uint8_t> contacts;    // T x C, 1 while the control stands on the ground
-  std::vector<Flight> flights;           // do not overlap
-  std::vector<S> yaw;                    // T, put back after deforming
-  std::vector<std::array<S, 2>> travel;  // T, x and z of the body's origin
-  Slip<S> slip_before, slip_after;       // metres per second, without and with the foot lock
+  std::int32_t frames = 0;             // T
+  std::vector<Vec3<S>> controls;       // T x C, body-local stage metres
+  std::vector<std::uint8_t> contacts;  // T x C, 1 while the control stands on the ground
+  std::vector<Flight> flights;         // do not overlap
+  std::vector<S> yaw;                  // T, put back after deforming
+  std::vector<std::array<S, 3>>
+      travel;                       // T, x and z of the body's origin; how high its lowest vertex is, but in flights
+  Slip<S> slip_before, slip_after;  // metres per second, without and with the foot lock
 
   std::vector<std::uint8_t> source_contacts;  // T x C, before the user's own contacts
   std::vector<S> missed;                      // how far each constraint is missed, metres
@@ -56,7 +57,7 @@ struct Performance {
 
 // The same in another scalar. Allocates.
 template <class T, class S>
-Performance<T> performance_cast(const Performance<S>& from) {
+RIGLESS_COLD Performance<T> performance_cast(const Performance<S>& from) {
   const auto number = [](S x) { return static_cast<T>(x); };
   Performance<T> to;
   to.frames = from.frames;
@@ -64,7 +65,7 @@ Performance<T> performance_cast(const Performance<S>& from) {
   to.contacts = from.contacts;
   to.flights = from.flights;
   for (const S yaw : from.yaw) to.yaw.push_back(number(yaw));
-  for (const auto& at : from.travel) to.travel.push_back({number(at[0]), number(at[1])});
+  for (const auto& at : from.travel) to.travel.push_back({number(at[0]), number(at[1]), number(at[2])});
   to.source_contacts = from.source_contacts;
   for (const S miss : from.missed) to.missed.push_back(number(miss));
   to.opponents = from.opponents;

@@ -11,13 +11,14 @@
 #include "rigless/scene/detail/accents.h"
 #include "rigless/scene/detail/follow_through.h"
 #include "rigless/scene/detail/ground.h"
+#include "rigless/scene/detail/weight.h"
 
 namespace rigless {
 
 template <class S>
 struct PerformanceSettings {
   S smoothness = S(default_smoothness);  // lambda_A at 30 fps
-  bool ground_contact = true;            // feet that stand do not slide
+  bool ground_contact = true;            // feet that stand do not slide, and carry a weight
   bool in_place = false;                 // the body does not travel
   S energy = 0;                          // -1 calm, 0 as taught, 1 as in a cartoon
 };
@@ -95,6 +96,8 @@ class PerformanceBuilder {
     settings_ = input.settings;
     pairs_.assign(input.pairs.begin(), input.pairs.end());
     follow_.assign(input.follow.begin(), input.follow.end());
+    rest_.assign(input.rest.begin(), input.rest.end());
+    floor_ = input.floor;
     height_ = input.height;
     constraints_ = input.constraints;
     ground_.travel_scale = input.height / std::max(detail::figure_height<S>(motion.local, joints), S(1e-6));
@@ -118,13 +121,20 @@ class PerformanceBuilder {
     p.yaw = motion_->yaw;
     p.contacts = ground_.labels();
     p.source_contacts = ground_.source_labels();
-    detail::give_accents<S>(*motion_, pairs_, constraints_, settings_.energy, p);
+    const std::vector<double> freedom =
+        detail::freedom_of(detail::held_controls(constraints_, p), controls_, p.frames, motion_->loop_period);
+    detail::give_accents<S>(*motion_, pairs_, freedom, settings_.energy, p);
     std::vector<Vec3<S>> root;
     if (const Status status = ground_.stand(constraints_, settings_.ground_contact, p, root); !status.ok())
       return status;
+    if (settings_.ground_contact) {
+      const detail::Rise<S> rise = detail::rise_of<S>(*motion_, laps_, ground_.travel_scale, height_);
+      detail::give_weight<S>(rise, rest_, floor_, height_, freedom, root, p.controls);
+    }
     detail::follow_through<S>(follow_, root, height_, motion_->loop_period > 0, p);
     laps_.close(p.controls);
-    if (settings_.in_place) p.travel.assign(p.travel.size(), {S(0), S(0)});
+    if (settings_.in_place)
+      for (auto& at : p.travel) at[0] = at[1] = 0;
     measure_constraints(p);
     p.opponents.assign(retargeter_.opponents().begin(), retargeter_.opponents().end());
     p.coverage.assign(coverage_.coverage().begin(), coverage_.coverage().end());
@@ -137,7 +147,7 @@ class PerformanceBuilder {
   }
 
  private:
-  static Status check(const PerformanceInput<S>& in) {
+  RIGLESS_COLD static Status check(const PerformanceInput<S>& in) {
     const auto controls = count_of(in.pairs);
     if (controls == 0) return {Error::no_controls, -1};
     if (in.rest.size() != in.pairs.size()) return {Error::size_mismatch, -1};
@@ -160,7 +170,7 @@ class PerformanceBuilder {
   }
 
   // On the finished tracks, so that what the ground asks for counts too.
-  void measure_constraints(Performance<S>& p) const {
+  RIGLESS_COLD void measure_constraints(Performance<S>& p) const {
     const auto at = [&](const TrackFrame& t) { return p.controls[to_size(t.frame) * controls_ + to_size(t.track)]; };
     for (const Constraint<S>& c : constraints_) {
       Vec3<S> miss = at(c.at) - c.value;
@@ -179,7 +189,8 @@ class PerformanceBuilder {
   detail::Ground<S> ground_;
   std::vector<std::int32_t> pairs_;    // C
   std::vector<FollowThrough> follow_;  // C, or none
-  S height_ = 1;
+  std::vector<Vec3<S>> rest_;          // C
+  S floor_ = 0, height_ = 1;
   detail::LapMargin laps_;
   std::int32_t starters_ = 0;
   std::size_t controls_ = 0;

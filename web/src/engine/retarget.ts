@@ -62,7 +62,7 @@ export function describePerformance(wasm: RiglessExports, heap: Heap, handle: Ha
     contacts: heap.bytes(wasm.performance_contacts(handle), frames * controls),
     flights: Array.from({ length: info.flights }, (_, i): [number, number] => [ends[2 * i], ends[2 * i + 1]]),
     yaw: heap.floats(wasm.performance_yaw(handle), frames),
-    travel: heap.floats(wasm.performance_travel(handle), 2 * frames),
+    travel: heap.floats(wasm.performance_travel(handle), 3 * frames),
     slip: { before: info.slipBefore, after: info.slipAfter },
     missed: missed(wasm, heap, handle, info.constraints),
     coverage: heap.floats(wasm.performance_coverage(handle), frames),

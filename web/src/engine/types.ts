@@ -194,7 +194,7 @@ export interface Performance {
   flights: [number, number][];
   /** T, radians put back after deforming. */
   yaw: Float32Array;
-  /** T x 2, x and z of the model's origin, metres. */
+  /** T x 3, metres: x and z of the model's origin; how high its lowest vertex is, but in flights. */
   travel: Float32Array;
   /** Mean horizontal speed of standing controls, metres per second, before and after the foot lock. */
   slip: { before: number; after: number };

@@ -35,7 +35,8 @@ S bone_ratio(Span<const std::int32_t> parents, Span<const Vec3<S>> pose, Span<co
 // Makes the actor of each of N poses as large as the one of `pose` (J): a child's jump teaches what a giant's does.
 // examples: N x J, body-local. Allocates.
 template <class S>
-void scale_to_actor(Span<const std::int32_t> parents, Span<const Vec3<S>> pose, std::vector<Vec3<S>>& examples) {
+RIGLESS_COLD void scale_to_actor(Span<const std::int32_t> parents, Span<const Vec3<S>> pose,
+                                 std::vector<Vec3<S>>& examples) {
   const std::size_t joints = parents.size();
   for (std::size_t first = 0; first < examples.size(); first += joints) {
     const S ratio = bone_ratio<S>(parents, {examples.data() + first, joints}, pose);

@@ -31,7 +31,8 @@ Vec3<S> reflected(const Vec3<S>& p, const Vec3<S>& normal) {
 // so that a mesh may be somewhat uneven; a control without a partner is NaN: the image says nothing about it. rest: C.
 // Allocates.
 template <class S>
-void add_mirror_images(const MirrorTables<S>& mirror, Span<const Vec3<S>> rest, ExampleStorage<S>& examples) {
+RIGLESS_COLD void add_mirror_images(const MirrorTables<S>& mirror, Span<const Vec3<S>> rest,
+                                    ExampleStorage<S>& examples) {
   const std::size_t joints = mirror.joints.size(), controls = mirror.controls.size();
   const std::size_t count = examples.controls.size() / controls;
   for (std::size_t n = 0; n < count; ++n) {

@@ -164,13 +164,12 @@ std::vector<std::uint8_t> held_controls(const Constraints<S>& constraints, const
 }
 
 // Gives each control the accents that its joint has, less of them for an energy below 0, more than it has for one
-// above; what stands or is constrained stays where it is. pairs: C. Allocates.
+// above. pairs: C; freedom: T x C. Allocates.
 template <class S>
-void give_accents(const StagedMotion<S>& motion, Span<const std::int32_t> pairs, const Constraints<S>& constraints,
+void give_accents(const StagedMotion<S>& motion, Span<const std::int32_t> pairs, const std::vector<double>& freedom,
                   S energy, Performance<S>& p) {
   const std::size_t controls = pairs.size(), joints = motion.clip.skeleton.names.size();
   const std::int32_t period = motion.loop_period;
-  const std::vector<double> freedom = freedom_of(held_controls(constraints, p), controls, p.frames, period);
   for (std::size_t c = 0; c < controls; ++c) {
     S gain = S(accent_gain) * std::max(energy, S(0));
     if (pairs[c] >= 0) {

@@ -30,8 +30,8 @@ Spring<S> spring_of(FollowThrough follow) {
 // driven by the acceleration of `path`. A loop is run until it repeats itself. path: T, world metres; yaw: T; reach:
 // farther than so many metres no end comes. Allocates.
 template <class S>
-std::vector<Vec3<S>> spring_lag(const Spring<S>& spring, const std::vector<Vec3<S>>& path, const std::vector<S>& yaw,
-                                S reach, bool loops) {
+RIGLESS_COLD std::vector<Vec3<S>> spring_lag(const Spring<S>& spring, const std::vector<Vec3<S>>& path,
+                                             const std::vector<S>& yaw, S reach, bool loops) {
   constexpr std::int32_t substeps = 8, laps = 3;
   const std::size_t frames = path.size();
   std::vector<Vec3<S>> lag(frames, Vec3<S>::Zero());
@@ -69,8 +69,8 @@ void throw_root(const std::vector<Flight>& flights, std::vector<Vec3<S>>& root) 
 // Moves the controls that hang on the body. follow: C, or empty; root: T, the body's origin in the world, its height as
 // the controls have it; height: of the mesh. Allocates.
 template <class S>
-void follow_through(Span<const FollowThrough> follow, std::vector<Vec3<S>> root, S height, bool loops,
-                    Performance<S>& p) {
+RIGLESS_COLD void follow_through(Span<const FollowThrough> follow, std::vector<Vec3<S>> root, S height, bool loops,
+                                 Performance<S>& p) {
   const std::size_t controls = p.control_count(), frames = to_size(p.frames);
   throw_root<S>(p.flights, root);
   std::vector<Vec3<S>> path(frames);

@@ -23,8 +23,8 @@ class Ground {
   // Who stands when, with what the user said about it: runs, and flights in which nothing stands but what those runs
   // say (null: the flights of the motion). pairs, rest: C; floor: y of the lowest vertex at rest; height: of the mesh.
   // The motion must live as long as this is used. Allocates.
-  void begin(const StagedMotion<S>& motion, Span<const std::int32_t> pairs, Span<const Vec3<S>> rest, S floor, S height,
-             Span<const ContactEdit> edits, const Span<const Flight>* flights) {
+  RIGLESS_COLD void begin(const StagedMotion<S>& motion, Span<const std::int32_t> pairs, Span<const Vec3<S>> rest,
+                          S floor, S height, Span<const ContactEdit> edits, const Span<const Flight>* flights) {
     motion_ = &motion;
     controls_ = pairs.size();
     const std::int32_t frames = motion.clip.frames;
@@ -54,7 +54,8 @@ class Ground {
   // ground.
   // `root`: T, where the body's origin goes; its height as the controls alone can tell.
   // On failure `p` is half done. Allocates. Errors: those of root_from_contacts() and lock_feet().
-  Status stand(const Constraints<S>& constraints, bool lock, Performance<S>& p, std::vector<Vec3<S>>& root) const {
+  RIGLESS_COLD Status stand(const Constraints<S>& constraints, bool lock, Performance<S>& p,
+                            std::vector<Vec3<S>>& root) const {
     const std::size_t feet = standing_.control.size();
     const LapMargin laps = {p.frames, motion_->loop_period, longest_stance};
     const std::size_t before = to_size(laps.margin()), own = to_size(p.frames) * feet;
@@ -88,7 +89,7 @@ class Ground {
     for (std::size_t i = 0; i < world.size(); ++i) world[i] += wound[i / feet];
     const auto first = wound.begin() + static_cast<std::ptrdiff_t>(before);
     root.assign(first, first + p.frames);
-    for (const Vec3<S>& r : root) p.travel.push_back({r.x(), r.z()});
+    for (std::int32_t f = 0; f < p.frames; ++f) p.travel.push_back({nth(root, f).x(), nth(root, f).z(), lift(f)});
 
     const auto slip = [&] {
       return measure_slip<S>({world.data() + before * feet, own}, standing_.labels, static_cast<std::int32_t>(feet),
@@ -111,6 +112,35 @@ class Ground {
  private:
   static constexpr std::int32_t longest_stance = 60;  // frames: a loop's stances are whole on both sides of its seam
 
+  // How far the human is above what it stood on before and will stand on, in the model's size; 0 where it stands or
+  // flies.
+  RIGLESS_COLD S lift(std::int32_t f) const {
+    const std::size_t feet = standing_.control.size();
+    const auto lowest = [&](std::int32_t g) {
+      S y = motion_->clip.at(g, 0).y();
+      for (std::int32_t j = 1; j < motion_->clip.joints(); ++j) y = std::min(y, motion_->clip.at(g, j).y());
+      return y;
+    };
+    const auto stands = [&](std::int32_t g) {
+      const auto labels = standing_.labels.begin() + static_cast<std::ptrdiff_t>(to_size(g) * feet);
+      return std::count(labels, labels + static_cast<std::ptrdiff_t>(feet), 1) > 0;
+    };
+    for (const Flight& flight : flights_)
+      if (flight.take_off < f && f < flight.landing) return 0;
+    S least = 0;
+    bool found = false;
+    for (const std::int32_t way : {-1, 1}) {
+      std::int32_t k = 0, g = f;
+      while (!stands(g) && ++k < motion_->clip.frames)
+        g = frame_around(f + k * way, motion_->clip.frames, motion_->loop_period);
+      if (!stands(g)) continue;
+      const S above = lowest(f) - lowest(g);
+      least = found ? std::min(least, above) : above;
+      found = true;
+    }
+    return travel_scale * std::max(least, S(0));
+  }
+
   // What a loop turns until it begins again.
   S turn_of_lap(const std::vector<S>& yaw) const {
     const bool twice = motion_->loop_period < motion_->clip.frames || yaw.size() < 2;  // the last frame is the first
@@ -122,7 +152,7 @@ class Ground {
   }
 
   // The coordinates of standing controls that constraints hold, as bits: T x K, or empty.
-  std::vector<std::uint8_t> pins(const Constraints<S>& constraints) const {
+  RIGLESS_COLD std::vector<std::uint8_t> pins(const Constraints<S>& constraints) const {
     const std::size_t feet = standing_.control.size();
     std::vector<std::uint8_t> pins(!constraints.empty() ? standing_.labels.size() : 0, 0);
     for (const Constraint<S>& c : constraints) {
@@ -136,7 +166,7 @@ class Ground {
     return pins;
   }
 
-  std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing) const {
+  RIGLESS_COLD std::vector<std::uint8_t> labels_of_all(const StandingControls<S>& standing) const {
     const std::size_t feet = standing.control.size();
     std::vector<std::uint8_t> labels(to_size(motion_->clip.frames) * controls_, 0);
     for (std::size_t i = 0; i < standing.labels.size(); ++i)

@@ -33,8 +33,8 @@ inline bool hangs_on(const Skeleton& skeleton, std::int32_t other, std::int32_t 
 // does; but one that is held at its hips swims, crawls or flies where the human goes. rest: C; floor: y of the lowest
 // vertex at rest; height: of the mesh. Allocates.
 template <class S>
-StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
-                                      Span<const Vec3<S>> rest, S floor, S height) {
+RIGLESS_COLD StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const std::int32_t> pairs,
+                                                   Span<const Vec3<S>> rest, S floor, S height) {
   struct Foot {
     bool left, right;                // which foot it follows
     const LimbRoles* arm = nullptr;  // of a foreleg
@@ -82,8 +82,8 @@ StandingControls<S> standing_controls(const StagedMotion<S>& motion, Span<const 
 // The same with the user's runs instead of those of the controls that they name, which must exist; runs are cut to the
 // clip. rest: C; floor: y of the lowest vertex at rest. Allocates.
 template <class S>
-void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S floor, std::int32_t frames,
-                   StandingControls<S>& standing) {
+RIGLESS_COLD void edit_standing(Span<const ContactEdit> edits, Span<const Vec3<S>> rest, S floor, std::int32_t frames,
+                                StandingControls<S>& standing) {
   const auto count = to_size(frames);
   StandingControls<S> edited = standing;
   const auto named = [&](std::int32_t c) {
