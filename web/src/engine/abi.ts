@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1878689844;
+export const ABI = 2001167253;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -131,6 +131,8 @@ export interface SkinInfo {
   joints: number;
   /** F. */
   frames: number;
+  /** K. */
+  targets: number;
   /** Of all vertices in all frames, in diagonals. */
   rms: number;
   /** The same. */
@@ -140,8 +142,8 @@ export interface SkinInfo {
 }
 
 export const skinInfoRow: Row<SkinInfo> = {
-  doubles: 5,
-  read: (n) => ({ joints: n[0], frames: n[1], rms: n[2], worst: n[3], normals: n[4] }),
+  doubles: 6,
+  read: (n) => ({ joints: n[0], frames: n[1], targets: n[2], rms: n[3], worst: n[4], normals: n[5] }),
 };
 
 /** Morph targets for frames of a mesh. */
@@ -558,6 +560,8 @@ export interface SkinExports {
   skin_weights(): Pointer<Float32Array>;
   skin_roots(): Pointer<Float32Array>;
   skin_poses(): Pointer<Float32Array>;
+  skin_ways(): Pointer<Float32Array>;
+  skin_mix(): Pointer<Float32Array>;
   begin_morphs(positions: Pointer<Float32Array>, vertices: number, targets: number): PackedStatus;
   add_morph_frame(positions: Pointer<Float32Array>): PackedStatus;
   advance_morphs(): number;

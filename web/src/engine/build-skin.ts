@@ -13,7 +13,7 @@ export function* buildSkin({ positions, faces, frames, joints }: SkinInput, wasm
   check(heap.lend([positions, faces], ([at, facesAt]) => module.begin_skin(at, positions.length / 3, facesAt, faces.length / 3, joints)));
   for (const frame of frames) check(heap.lend([frame], ([at]) => module.add_skin_frame(at)));
   while (module.advance_skin() !== 0) yield module.skin_progress();
-  const { joints: count, frames: made, rms, worst, normals } = heap.read(skinInfoRow, module.skin_info());
+  const { joints: count, frames: made, targets, rms, worst, normals } = heap.read(skinInfoRow, module.skin_info());
   const vertices = positions.length / 3;
   return {
     centres: heap.floats(module.skin_centres(), 3 * count),
@@ -21,6 +21,8 @@ export function* buildSkin({ positions, faces, frames, joints }: SkinInput, wasm
     weights: heap.floats(module.skin_weights(), 4 * vertices),
     roots: heap.floats(module.skin_roots(), 7 * made),
     poses: heap.floats(module.skin_poses(), 7 * made * count),
+    ways: heap.floats(module.skin_ways(), 3 * vertices * targets),
+    mix: heap.floats(module.skin_mix(), made * targets),
     ...{ rms, worst, normals },
   };
 }

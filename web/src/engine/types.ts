@@ -287,6 +287,9 @@ export interface BuiltSkin {
   roots: Float32Array;
   /** F x J x 7: p goes to turn (p - centre) + place. */
   poses: Float32Array;
+  /** K x V x 3 and F x K: morph targets that act before the joints do; none where joints are enough. */
+  ways: Float32Array;
+  mix: Float32Array;
   rms: number;
   worst: number;
   /** Radians, rms. */

@@ -35,6 +35,16 @@ export class Shapes {
   }
 }
 
+/** R x 3: the way of each render vertex, of target k among ways over V, K x V x 3. */
+export function waysOf({ toVertex }: Drawn, ways: Float32Array, vertices: number, k: number, scale: number): Float32Array {
+  const from = 3 * vertices * k;
+  const out = new Float32Array(3 * toVertex.length);
+  toVertex.forEach((v, r) => {
+    for (let axis = 0; axis < 3; axis++) out[3 * r + axis] = scale * ways[from + 3 * v + axis];
+  });
+  return out;
+}
+
 /** What of it one draw call shows. */
 export function ownOf({ positions, normals }: Shape, { first, count, flat }: DrawnInstance): Shape {
   const own = (values: Float32Array): Float32Array => values.slice(3 * first, 3 * (first + count));

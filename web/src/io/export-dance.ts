@@ -46,9 +46,10 @@ export async function exportDance(
 
 export const lengthsOf = (clips: readonly Clip[]): number[] => clips.map(({ frames }) => frames.length);
 
-/** "22 joints" */
+/** "22 joints", "64 joints and 8 morph targets" */
 export function sayHolding({ joints, targets }: Likeness): string {
-  return joints === undefined ? count(targets ?? 0, "morph target") : count(joints, "joint");
+  const held = [...(joints ? [count(joints, "joint")] : []), ...(targets ? [count(targets, "morph target")] : [])];
+  return held.join(" and ");
 }
 
 /** In words: what holds the dance, and how like the file is to it. */

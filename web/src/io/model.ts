@@ -2,9 +2,7 @@
 
 import type { GltfDocument } from "../gltf/document";
 import type { NamedJoint } from "../sync/named-body";
-import { limbParts } from "../sync/limb-parts";
 import { jointsOf } from "./gltf/joints";
-import { movedBy } from "./gltf/moved-by";
 import { viewOf, type View } from "./gltf/view";
 
 export interface Model extends View {
@@ -13,7 +11,7 @@ export interface Model extends View {
   readonly document: GltfDocument;
   /** What the file calls its joints, or its parts; none where it names nothing. */
   readonly joints: readonly NamedJoint[];
-  /** V: which of its limbs a vertex is of, as in limbParts; null where its joints do not say. */
+  /** V: which of its limbs a vertex is of, as in limbParts; null where its joints do not say, and before `parted`. */
   readonly parts: Int32Array | null;
   /** What was worked around, in plain words. */
   readonly notes: readonly string[];
@@ -22,7 +20,5 @@ export interface Model extends View {
 /** Errors (ModelError): as viewOf. */
 export function modelOf(name: string, document: GltfDocument, notes: string[]): Model {
   const view = viewOf(name, document, notes);
-  const named = jointsOf(document, view);
-  const parts = limbParts(view.positions, named.joints, movedBy(document, view, named));
-  return { name, document, ...view, joints: named.joints, parts, notes };
+  return { name, document, ...view, joints: jointsOf(document, view).joints, parts: null, notes };
 }

@@ -12,6 +12,9 @@ export interface ReadingOptions {
   readonly onProgress?: (done: number) => void;
 }
 
+/** A model of one part has so many joints: its middle and its end. */
+const ONE_PART = 2;
+
 /** Of the whole, what the format's reader takes. */
 const READING = 0.7;
 
@@ -31,7 +34,8 @@ export async function readModel(files: readonly NamedFile[], { onProgress }: Rea
     const notes: string[] = [];
     const document = await READERS[format.id]({ name, file, files, notes, onProgress: (done) => onProgress?.(READING * done) });
     onProgress?.(READING);
-    return modelOf(name, document, notes);
+    const model = modelOf(name, document, notes);
+    return model.joints.length > ONE_PART ? (await import("./parted")).parted(model) : model;
   } catch (error) {
     if (error instanceof ModelError) throw error;
     const why = error instanceof Error ? error.message : String(error);

@@ -2,7 +2,7 @@
 
 import { dressBare } from "../gltf/bare";
 import type { BuiltMorphs } from "../engine/types";
-import { ownOf, type Shape, Shapes } from "./drawn-shape";
+import { ownOf, type Shape, Shapes, waysOf } from "./drawn-shape";
 import { type NewMotion, packGlb, type Put, withGeometry } from "./gltf/write";
 import { PoseTracks } from "./pose-tracks";
 import { clipName, type GlbInput, keptClips } from "./write-glb";
@@ -28,7 +28,9 @@ export function writeMorphs(
   const name = clipName(input.name);
   const start = new Shapes(drawn, rest, scale).of(rest);
   const count = normals.length;
-  const targets = normals.map((turned, k): Shape => ({ positions: waysOf(k), normals: turned }));
+  const targets = normals.map(
+    (turned, k): Shape => ({ positions: waysOf(drawn, morphs.ways, rest.length / 3, k, scale), normals: turned }),
+  );
   const primitives = drawn.instances.map((instance) => ({
     instance,
     index: drawn.index.slice(instance.from, instance.to).map((r) => r - instance.first),
@@ -46,14 +48,4 @@ export function writeMorphs(
     return { nodes: [{ name, mesh: 0 }], roots: [node], animations };
   };
   return packGlb(withGeometry({ ...document, json: dressBare(document.json) }, { name, primitives, mesh, motion }));
-
-  /** R x 3. */
-  function waysOf(k: number): Float32Array {
-    const from = k * rest.length;
-    const out = new Float32Array(3 * drawn.toVertex.length);
-    drawn.toVertex.forEach((v, r) => {
-      for (let axis = 0; axis < 3; axis++) out[3 * r + axis] = scale * morphs.ways[from + 3 * v + axis];
-    });
-    return out;
-  }
 }

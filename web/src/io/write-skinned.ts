@@ -4,7 +4,7 @@ import { dressBare } from "../gltf/bare";
 import type { GltfNode } from "../gltf/document";
 import type { BuiltSkin } from "../engine/types";
 import type { DrawnInstance } from "../gltf/drawn";
-import { ownOf, Shapes } from "./drawn-shape";
+import { ownOf, type Shape, Shapes, waysOf } from "./drawn-shape";
 import { type NewMotion, packGlb, type Put, withGeometry } from "./gltf/write";
 import { PoseTracks } from "./pose-tracks";
 import { clipName, type GlbInput, keptClips, numbered } from "./write-glb";
@@ -23,12 +23,15 @@ export function writeSkinned(
   skin: BuiltSkin,
 ): Uint8Array<ArrayBuffer> {
   const name = clipName(input.name);
-  const start = new Shapes(drawn, rest, scale).of(rest);
+  const shapes = new Shapes(drawn, rest, scale);
+  const start = shapes.of(rest);
   const weights = wholeWeights(skin.weights);
+  const targets = Array.from({ length: skin.ways.length / rest.length }, (_, k) => targetOf(k));
   const primitives = drawn.instances.map((instance) => ({
     instance,
     index: drawn.index.slice(instance.from, instance.to).map((r) => r - instance.first),
     ...ownOf(start, instance),
+    ...(targets.length > 0 && { targets: targets.map((target) => ownOf(target, instance)) }),
     skin: {
       joints: fours(skin.joints, drawn.toVertex, instance, (n) => new Uint8Array(n)),
       weights: fours(weights, drawn.toVertex, instance, (n) => new Uint16Array(n)),
@@ -55,11 +58,22 @@ export function writeSkinned(
       const tracks = new PoseTracks(name, put, kept, fps, scale);
       tracks.add(root, skin.roots, 7, 7 * from, [0, 0, 0]);
       centres.forEach((centre, j) => tracks.add(joints[j], skin.poses, 7 * count, 7 * (count * from + j), centre));
+      if (targets.length > 0) tracks.mix(node, skin.mix, targets.length, targets.length * from);
       return tracks.animation();
     });
     return { nodes, roots: [node, root], skins, animations };
   };
-  return packGlb(withGeometry({ ...document, json: dressBare(document.json) }, { name, primitives, motion }));
+  const mesh =
+    targets.length > 0 ? { weights: targets.map(() => 0), extras: { targetNames: targets.map((_, k) => `shape_${k + 1}`) } } : {};
+  return packGlb(withGeometry({ ...document, json: dressBare(document.json) }, { name, primitives, mesh, motion }));
+
+  /** What joints do not hold, and how it turns normals at rest. */
+  function targetOf(k: number): Shape {
+    const ways = skin.ways.subarray(k * rest.length, (k + 1) * rest.length);
+    const { normals } = shapes.of(rest.map((x, i) => x + ways[i]));
+    const turned = normals && start.normals ? normals.map((x, i) => x - start.normals![i]) : null;
+    return { positions: waysOf(drawn, skin.ways, rest.length / 3, k, scale), normals: turned };
+  }
 }
 
 /** Sixteen bits each, and each four still sum to one. */

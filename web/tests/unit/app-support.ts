@@ -130,6 +130,7 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
           moments.push(await momentAt(moments.length));
           signal.throwIfAborted();
           onProgress(moments.length);
+          await new Promise((resolve) => setImmediate(resolve));
         }
         return new TextEncoder().encode(`${shot.kind} of ${shot.frames}`);
       },

@@ -9,6 +9,7 @@ import { buildDocument } from "../../src/io/gltf/build";
 import { withJoints } from "../../src/io/gltf/joints";
 import { Packer } from "../../src/io/gltf/packer";
 import { modelOf } from "../../src/io/model";
+import { parted } from "../../src/io/parted";
 import type { NamedJoint } from "../../src/sync/named-body";
 
 const bytes = readFileSync(new URL("../../src/engine/shape-analysis.wasm", import.meta.url));
@@ -128,7 +129,7 @@ describe.each([
   ["built of another format", built],
   ["a GLB", skinned],
 ])("%s", (_, document) => {
-  const model = modelOf("figure.glb", document(), []);
+  const model = parted(modelOf("figure.glb", document(), []));
   const parts = model.parts ?? new Int32Array(0);
   const at = (v: number): number[] => [...model.positions.subarray(3 * v, 3 * v + 3)];
 
@@ -169,5 +170,6 @@ describe.each([
 
 it("names that tell no limbs give no parts", () => {
   const joints = JOINTS.map((joint, j) => ({ ...joint, name: `bone_${j}` }));
-  expect(modelOf("figure.glb", withJoints(buildDocument("figure.fbx", { parts: RODS.map(rod) }), joints), []).parts).toBeNull();
+  const document = withJoints(buildDocument("figure.fbx", { parts: RODS.map(rod) }), joints);
+  expect(parted(modelOf("figure.glb", document, [])).parts).toBeNull();
 });

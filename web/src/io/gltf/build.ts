@@ -5,7 +5,7 @@ import { count } from "../count";
 import { ModelError } from "../named-file";
 import { TupleTable } from "../../util/tuple-table";
 import { creasedNormals } from "./creased-normals";
-import { STRONGEST } from "./moved-by";
+import { STRONGEST } from "./strongest";
 import { INDICES, Packer, VERTICES } from "./packer";
 
 /** Triangles of one material as a file holds them. Parts may share arrays. */

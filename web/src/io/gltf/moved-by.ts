@@ -3,6 +3,7 @@
 import { accessorValues } from "../../gltf/accessors";
 import type { GltfDocument, GltfPrimitive } from "../../gltf/document";
 import type { FileJoints } from "./joints";
+import { STRONGEST } from "./strongest";
 import type { View } from "./view";
 
 /** V: of the joints; -1 where none does. */
@@ -41,6 +42,3 @@ function strongestOf(document: GltfDocument, { attributes }: GltfPrimitive): Int
   }
   return out;
 }
-
-/** An attribute of our own: the strongest joint alone. */
-export const STRONGEST = "_JOINT";

@@ -4,7 +4,7 @@
 import { COMPONENTS, WIDTHS } from "../../gltf/accessors";
 import type { Gltf, GltfAccessor, GltfBufferView, GltfDocument, GltfMesh, GltfNode, GltfPrimitive } from "../../gltf/document";
 import type { DrawnInstance } from "../../gltf/drawn";
-import { STRONGEST } from "./moved-by";
+import { STRONGEST } from "./strongest";
 import { Numbered } from "./numbered";
 import { type AccessorType, INDICES, packAccessor, type PackOptions, type Values, VERTICES } from "./packer";
 

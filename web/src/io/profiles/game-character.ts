@@ -18,6 +18,15 @@ export const gameCharacter: Profile = {
     const frames = input.clips.flatMap((clip) => clip.frames.map(({ positions }) => positions));
     const skin = await buildSkin({ positions: input.rest, faces: input.faces, frames, joints: MOST_JOINTS }, call);
     const { rms, worst, normals, centres } = skin;
-    return { bytes: writeSkinned(input, skin), likeness: { rms, worst, normals, joints: centres.length / 3 } };
+    return {
+      bytes: writeSkinned(input, skin),
+      likeness: {
+        rms,
+        worst,
+        normals,
+        joints: centres.length / 3,
+        ...(skin.mix.length > 0 && { targets: skin.ways.length / input.rest.length }),
+      },
+    };
   },
 };

@@ -110,8 +110,10 @@ export class ExportPanel extends SessionElement {
   }
 
   private renderState({ state, wish }: Exporting) {
-    if (state.kind === "making")
-      return html`<div class="facts">${progressBar("Making the file", `${state.step}, ${Math.round(100 * state.done)} %`, state.done)}</div>`;
+    if (state.kind === "making") {
+      const { step, done } = state;
+      return html`<div class="facts">${progressBar("Making the file", `${step}, ${Math.round(100 * done)} %`, done)}</div>`;
+    }
     if (state.kind === "failed") return html`<div class="facts" role="alert"><p class="bad">${state.why}</p></div>`;
     if (state.kind === "made") return html`<dl class="facts" aria-live="polite">${facts(state.file, wish.profile.worksIn)}</dl>`;
     return html`<div class="facts"><p>Nothing was made.</p></div>`;
