@@ -80,7 +80,7 @@ class SkinBuilder {
         if (pose()) stage_ = finish() ? Stage::correct : Stage::grow;
         break;
       case Stage::correct:
-        if (correct()) stage_ = Stage::done;
+        if (!correctives_.advance(points_, fit_.influences, options_, skin_)) stage_ = Stage::done;
         break;
       case Stage::done:
         break;
@@ -219,58 +219,6 @@ class SkinBuilder {
     return false;
   }
 
-  // Until it returns true: what is still missed goes to morph targets.
-  bool correct() {
-    if (options_.targets == 0 || (skin_.rms <= options_.rms && skin_.worst <= options_.worst)) return true;
-    const std::size_t frames = points_.roots.size();
-    if (corrected_ < frames) {
-      std::vector<Vec3<S>> wanted;
-      if (corrected_ == 0) {
-        for (const Vec3<double>& p : points_.rest) wanted.push_back(p.template cast<S>());
-        if (!correctives_.begin(wanted, {options_.targets, options_.rms, options_.worst}).ok()) return true;
-        wanted.clear();
-      }
-      for (std::int32_t i = 0; i < points_.count(); ++i)
-        wanted.push_back(detail::before(motion_at(corrected_, i), points_.now(corrected_, i)).template cast<S>());
-      if (!correctives_.add_frame(wanted, false).ok()) return true;
-      ++corrected_;
-      return false;
-    }
-    if (correctives_.advance()) return false;
-    take_correctives();
-    return true;
-  }
-
-  detail::BlendedMotion motion_at(std::size_t f, std::int32_t i) const {
-    return detail::blended(nth(fit_.influences, i), skin_.centre, skin_.pose.data() + f * skin_.centre.size());
-  }
-
-  void take_correctives() {
-    const detail::Morphs<S>& morphs = correctives_.morphs();
-    const auto points = to_size(points_.count()), K = to_size(morphs.targets);
-    double sum = 0, worst = 0;
-    for (std::size_t f = 0; f < points_.roots.size(); ++f) {
-      for (std::size_t i = 0; i < points; ++i) {
-        Vec3<double> p = points_.rest[i];
-        for (std::size_t k = 0; k < K; ++k)
-          p += static_cast<double>(morphs.weight[f * K + k]) * morphs.way[k * points + i].template cast<double>();
-        const auto point = static_cast<std::int32_t>(i);
-        const detail::BlendedMotion motion = motion_at(f, point);
-        const double missed = (motion.A * p + motion.b - points_.now(f, point)).squaredNorm();
-        sum += missed;
-        worst = std::max(worst, missed);
-      }
-    }
-    const double all = static_cast<double>(points_.roots.size()) * static_cast<double>(points);
-    if (std::sqrt(sum / all) > skin_.rms * points_.diagonal) return;  // joints squeeze flat what they should move
-    skin_.rms = std::sqrt(sum / all) / points_.diagonal;
-    skin_.worst = std::sqrt(worst) / points_.diagonal;
-    skin_.targets = morphs.targets;
-    skin_.mix = morphs.weight;
-    for (std::size_t k = 0; k < K; ++k)
-      for (const std::int32_t point : points_.of_vertex) skin_.way.push_back(morphs.way[k * points + to_size(point)]);
-  }
-
   SkinOptions options_;
   detail::MovingPoints<S> points_;
   Stage stage_ = Stage::gather;
@@ -281,8 +229,7 @@ class SkinBuilder {
   detail::JointFit fit_;
   detail::FramePoses poses_;
   detail::SkinMeasure measure_;
-  detail::MorphBuilder<S> correctives_;
-  std::size_t corrected_ = 0;
+  detail::SkinCorrectives<S> correctives_;
   int passes_ = 0, rounds_ = 0;
   std::size_t posed_ = 0;
   Skin<S> skin_;

@@ -15,6 +15,7 @@ async function made(
   model: Model,
   frames: number,
   more: Partial<GlbInput> = {},
+  joints = 64,
 ): Promise<{ input: GlbInput; skin: BuiltSkin; glb: Uint8Array<ArrayBuffer> }> {
   const input: GlbInput = {
     name: "my dance",
@@ -31,7 +32,7 @@ async function made(
     positions: input.rest,
     faces: input.faces,
     frames: input.clips.flatMap(({ frames }) => frames.map((f) => f.positions)),
-    joints: 64,
+    joints,
   });
   return { input, skin, glb: writeSkinned(input, skin) };
 }
@@ -75,6 +76,20 @@ it("is faultless, and plays every frame in three.js as like as it says", async (
   expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
   const worst = await played(glb, model, input);
   expect(Math.abs(worst - skin.worst)).toBeLessThan(2e-4);
+});
+
+it("holds by morph targets what its joints cannot, and plays that too", async () => {
+  const model = await post();
+  const squashed = bent(model, 40).map(({ positions }, f) => ({
+    positions: positions.map((x, i) => (i % 3 === 1 ? x + 0.2 * Math.sin(0.9 * f) * Math.sin(6 * model.positions[i]) : x)),
+  }));
+  const { input, skin, glb } = await made(model, 0, { clips: [{ name: "squash", frames: squashed }] }, 4);
+  expect(skin.centres).toHaveLength(12);
+  expect((await validateBytes(glb)).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+  const { meshes = [], animations = [] } = (await openGlb(glb)).json;
+  expect(meshes[0].weights?.length).toBeGreaterThan(0);
+  expect(JSON.stringify(animations[0].channels)).toContain('"weights"');
+  expect(Math.abs((await played(glb, model, input)) - skin.worst)).toBeLessThan(2e-4);
 });
 
 it("plays every frame of all clips by one skeleton", async () => {
