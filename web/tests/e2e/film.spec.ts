@@ -38,8 +38,11 @@ async function read(download: Download) {
 
 /** The film in the panel as the browser decodes it, at some seconds: a few colours of each moment, with their alpha. */
 function seen(film: Locator, times: readonly number[]) {
-  return film.evaluate(async (video: HTMLVideoElement, times) => {
-    video.pause();
+  return film.evaluate(async (playing: HTMLVideoElement, times) => {
+    const video = document.createElement("video"); // one of our own: that in the panel plays in a loop
+    const loaded = new Promise((resolve) => video.addEventListener("loadeddata", resolve, { once: true }));
+    Object.assign(video, { muted: true, preload: "auto", src: playing.src });
+    await loaded;
     const frames: { corner: number; middle: number; colours: number; pixels: number[] }[] = [];
     for (const time of times) {
       const there = new Promise((resolve) => video.addEventListener("seeked", resolve, { once: true }));
