@@ -27,6 +27,7 @@ export const appStyle = css`
   @media (max-height: 740px) { :host { --gap: var(--s1); } }
   /* a panel takes the inspector's room where both would leave none */
   @media (max-width: 959px) { .left:has(.panel) ~ rigless-inspector { display: none; } }
+  @media (max-height: 560px) { .left:has(.panel) ~ .middle rigless-view { display: none; } }
   @media (max-width: 719px) {
     :host { grid-template: 56px minmax(0, 1fr) auto auto auto / minmax(0, 1fr); }
     rigless-top-bar { grid-area: 1 / 1; }
