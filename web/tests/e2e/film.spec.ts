@@ -113,6 +113,7 @@ test("a WebM may be transparent, and shows the model alone", async ({ page }) =>
 });
 
 test("a film that is called off leaves nothing", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   await open(page);
   const panel = await filming(page);
   let downloads = 0;
