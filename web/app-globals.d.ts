@@ -22,6 +22,16 @@ declare class TextDecoder {
   decode(bytes: Uint8Array): string;
 }
 
+interface MessagePort {
+  onmessage: (() => void) | null;
+  postMessage(message: unknown): void;
+  close(): void;
+}
+declare class MessageChannel {
+  readonly port1: MessagePort;
+  readonly port2: MessagePort;
+}
+
 declare function atob(text: string): string;
 declare function btoa(letters: string): string;
 

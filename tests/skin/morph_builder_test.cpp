@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "support/advance.h"
 #include "support/cylinder.h"
 
 using namespace rigless;
@@ -45,16 +46,7 @@ template <class S>
 Status build_morphs(const MovingMesh<S>& dance, Morphs<S>& out, const MorphOptions& options = {}) {
   MorphBuilder<S> builder;
   if (const Status s = builder.begin(dance.rest, options); !s.ok()) return s;
-  for (const auto& frame : dance.frames) {
-    if (const Status s = builder.add_frame(frame); !s.ok()) return s;
-  }
-  double last = 0;
-  while (builder.advance()) {
-    CHECK(builder.progress() >= 0);
-    CHECK(builder.progress() <= 1);
-    last = builder.progress();
-  }
-  CHECK(last <= builder.progress());
+  if (const Status s = build_from<S>(builder, dance.frames); !s.ok()) return s;
   out = builder.morphs();
   return {};
 }

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "support/advance.h"
 #include "support/cylinder.h"
 
 using namespace rigless;
@@ -50,16 +51,7 @@ template <class S>
 Status build(const Dance<S>& dance, Skin<S>& out, const SkinOptions& options = {}) {
   SkinBuilder<S> builder;
   if (const Status s = builder.begin(dance.rest, dance.faces, options); !s.ok()) return s;
-  for (const auto& frame : dance.frames) {
-    if (const Status s = builder.add_frame(frame); !s.ok()) return s;
-  }
-  double last = 0;
-  while (builder.advance()) {
-    CHECK(builder.progress() >= 0);
-    CHECK(builder.progress() <= 1);
-    last = builder.progress();
-  }
-  CHECK(last <= builder.progress());
+  if (const Status s = build_from<S>(builder, dance.frames); !s.ok()) return s;
   out = builder.skin();
   return {};
 }

@@ -53,11 +53,12 @@ export function sayHolding({ joints, targets }: Likeness): string {
 }
 
 /** In words: what holds the dance, and how like the file is to it. */
-export function sayLikeness({ rms, worst, normals, ...held }: Likeness): string {
+export function sayLikeness(likeness: Likeness): string {
+  const { rms, worst, normals } = likeness;
   const share = (of: number): string => `${(100 * of).toFixed(2)} %`;
   const degrees = ((normals * 180) / Math.PI).toFixed(1);
   const places = `${share(rms)} of the model's size off on average, ${share(worst)} in the worst place`;
-  return `${sayHolding({ rms, worst, normals, ...held })}; ${places}; light ${degrees} degrees off`;
+  return `${sayHolding(likeness)}; ${places}; light ${degrees} degrees off`;
 }
 
 /** What of the model's own file makes way for what is written, or null. */
@@ -95,4 +96,5 @@ export function sizeFault(
   return { text: `would hold ${size(bytes(every))}, more than ${most}`, every: enough };
 }
 
+/** Whole: it is an estimate. */
 const size = (bytes: number): string => (bytes < 1e9 ? `${Math.round(bytes / 1e6)} MB` : `${(bytes / 1e9).toFixed(1)} GB`);

@@ -1,6 +1,7 @@
 // What morph targets do to normals: fitted to the normals of all frames, as their ways are to the places.
 
 import type { BuiltMorphs, CallOptions } from "../engine/types";
+import { nextTask } from "../util/next-task";
 import { Shapes } from "./drawn-shape";
 import type { GlbInput } from "./write-glb";
 
@@ -32,7 +33,8 @@ export async function morphNormals(
       const target = targets[k];
       for (let i = 0; i < now.length; i++) target[i] += weight * (now[i] - start[i]);
     }
-    await turnOfOthers(signal);
+    await nextTask();
+    signal?.throwIfAborted();
     onProgress?.(f / frames.length);
   }
   targets.forEach((target, k) => {
@@ -75,9 +77,4 @@ function turnedBack(normals: Float32Array, [x, y, z, w]: Float32Array): Float32A
     normals[i + 2] = c + 2 * (w * r + y * p - x * q);
   }
   return normals;
-}
-
-async function turnOfOthers(signal: AbortSignal | undefined): Promise<void> {
-  await new Promise<void>((resolve) => setTimeout(resolve));
-  signal?.throwIfAborted();
 }

@@ -1,5 +1,6 @@
 // Films and pictures of the stage, drawn frame by frame on its own canvas at the film's size: the same scene, on the same card.
 
+import { nextTask } from "../util/next-task";
 import type { FilmCall, FilmKind, FilmShot, Moment, Shot, Studio } from "../stage/studio";
 import type { CameraRig } from "./camera-rig";
 import type { Figures } from "./figures";
@@ -172,16 +173,4 @@ function reach(vertices: Float32Array, from: { x: number; y: number }): number {
   let most = 0;
   for (let v = 0; v < vertices.length; v += 3) most = Math.max(most, Math.hypot(vertices[v]! - from.x, vertices[v + 2]! - from.y));
   return most;
-}
-
-/** Lets the page breathe; unlike a timer it does not wait longer where nobody looks. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }
