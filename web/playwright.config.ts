@@ -20,6 +20,7 @@ export default defineConfig({
         "--enable-unsafe-swiftshader",
         "--disable-background-networking",
         "--webgl-antialiasing-mode=none",
+        "--disable-gpu-compositing", // without a card it is the stage alone that its stand-in draws
       ],
     },
     trace: { mode: "retain-on-failure", screenshots: false },

@@ -8,7 +8,7 @@ for (const scheme of ["light", "dark"] as const) {
     await open(page);
     for (const key of ["", "1", "2", "3", "4", "?"]) {
       if (key) await page.keyboard.press(key);
-      const axe = new AxeBuilder({ page });
+      const axe = new AxeBuilder({ page }).setLegacyMode(); // there are no frames: no page of its own for each answer
       const { violations } = await (scheme === "dark" ? axe.withRules("color-contrast") : axe).analyze(); // nothing else differs
       const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
       expect(

@@ -50,7 +50,7 @@ test("for an own model there is no link, and the word why", async ({ page }) => 
   await open(page);
   await pause(page);
   await drop(page, [{ name: "box.obj", bytes: Buffer.from(BOX_OBJ) }]);
-  await expect.poll(async () => (await documentOf(page)).points.length, { timeout: 60_000 }).toBeGreaterThan(0);
+  await expect.poll(async () => (await documentOf(page)).mesh.file, { timeout: 60_000 }).toBe("box.obj");
   await settled(page);
   const panel = await linking(page);
   await expect(panel).toContainText("this model is your own");
