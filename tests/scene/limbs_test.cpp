@@ -241,3 +241,18 @@ TEST_CASE("a foot on the ground lies flat while its knee bends, a lifted one tur
   CHECK(test::allocation_count == before);
   CHECK(lean(left) > 0.2f);
 }
+
+TEST_CASE("a thick arm swings as a thin one does, a bump half as far") {
+  const auto swing = [](int out, int thick) {
+    std::vector<Block> blocks(block_human.begin(), block_human.begin() + 5);  // without arms, neck and head
+    for (const int side : {-1, 1}) {
+      const int from = 4 * side, to = out * side;
+      blocks.push_back({{std::min(from, to), 30 - thick, -thick / 2}, {std::max(from, to), 30, thick - thick / 2}});
+    }
+    const HeldHuman held(build_blocks<float>(blocks));
+    return held.body.swing(held.body.limbs()[HeldHuman::left_hand]);
+  };
+  CHECK(swing(16, 3) == 1);
+  CHECK(swing(17, 5) > 0.9);
+  CHECK(swing(9, 9) < 0.6);
+}

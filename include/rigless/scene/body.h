@@ -78,8 +78,10 @@ class Body {
 
   // C: the limb of the solid at whose tip each control lies; none where the surface is solved.
   Span<const detail::Limb<S>> limbs() const { return limbs_; }
-  // As ModelLimb has it: a stump swings half way.
-  double swing(const detail::Limb<S>& limb) const { return detail::is_stump(limb, solid_.cell) ? 0.5 : 1.0; }
+  // As ModelLimb has it: the shortest stump swings half way.
+  double swing(const detail::Limb<S>& limb) const {
+    return std::clamp(0.5 + 0.25 * (static_cast<double>(detail::slenderness(limb, solid_.cell)) - 0.5), 0.5, 1.0);
+  }
 
   // V, as the last drag() or act() left them; a solid carries them when they are asked for. No allocation.
   Span<const Vec3<S>> positions() {

@@ -9,10 +9,16 @@
 
 namespace rigless::detail {
 
-// A limb that is not several times as long as it is thick.
+// How long a limb is for its thickness: its squared length over its usual cross-section. 0 of a limb that is not known.
+template <class S>
+S slenderness(const Limb<S>& limb, S cell) {
+  return limb.length > S(0) ? limb.length * limb.length / std::max(limb.girth * cell, S(1e-6)) : S(0);
+}
+
+// A limb that is hardly longer than it is thick has no bones.
 template <class S>
 bool is_stump(const Limb<S>& limb, S cell) {
-  return limb.length > S(0) && limb.length * limb.length < S(6) * limb.girth * cell;
+  return limb.length > S(0) && slenderness(limb, cell) < S(2.5);
 }
 
 // Whether a limb stands: its tip is on the ground, almost as far below its base as it is away. floor: y of the lowest
