@@ -19,7 +19,7 @@ type Options = NonNullable<ParseArgsConfig["options"]>;
 /** What every verb knows besides its own options. */
 const COMMON = { quiet: { type: "boolean", short: "q" } } as const;
 
-/** A verb's arguments. Errors (UsageError): an option that it does not have. */
+/** A verb's arguments. Errors (UsageError): an option that it does not have, with a value too many or none. */
 export function readArguments<O extends Options>(args: readonly string[], options: O) {
   const { values, positionals } = strictly(() =>
     parseArgs({ args: [...args], allowPositionals: true, options: { ...options, ...COMMON } as O & typeof COMMON }),
@@ -31,6 +31,10 @@ function strictly<T>(parse: () => T): T {
   try {
     return parse();
   } catch (error) {
-    throw new UsageError(error instanceof Error ? error.message : String(error));
+    const message = error instanceof Error ? error.message : String(error);
+    const option = /'(?:-\w, )?(--?[^\s']+)/.exec(message)?.[1];
+    if (option === undefined) throw new UsageError(message);
+    if (message.startsWith("Unknown")) throw new UsageError(`There is no option ${option}. See rigless --help.`);
+    throw new UsageError(message.includes("does not take") ? `${option} takes no value.` : `${option} needs a value after it.`);
   }
 }

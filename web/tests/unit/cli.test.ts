@@ -495,7 +495,9 @@ describe("what cannot be done", () => {
     expect(await refused({}, "bake", "a.obj", "--out", "a.glb")).toBe(
       "bake needs a motion too: rigless bake a.obj motion.bvh --out dance.glb",
     );
-    expect(await refused({}, "bake", "--louder")).toContain("--louder");
+    expect(await refused({}, "bake", "--louder")).toBe("There is no option --louder. See rigless --help.");
+    expect(await refused({}, "bake", "a.json", "--speed", "--loop")).toBe("--speed needs a value after it.");
+    expect(await refused({}, "bake", "a.json", "--loop=3")).toBe("--loop takes no value.");
     expect(await refused({}, "boil")).toBe('"boil" is no command. See rigless --help.');
   });
 
