@@ -42,7 +42,7 @@ export class FileOpening {
       const { skeletons } = this.openers.sources;
       const sorted = await sortFiles(named, { skeletons, motionsOnly: kind === "motion" });
       const gesture = Symbol("open");
-      if (sorted.project) await this.project(named, job, gesture);
+      if (sorted.project) await this.project(named, sorted.motions, job, gesture);
       else {
         const opened = await this.model(sorted, job, gesture);
         await this.motions(sorted.motions, job, gesture);
@@ -66,7 +66,8 @@ export class FileOpening {
     });
   }
 
-  private async project(dropped: readonly NamedFile[], job: JobHandle, gesture: Gesture): Promise<void> {
+  /** `motions`: all that came with it, its own among them. */
+  private async project(dropped: readonly NamedFile[], motions: readonly FoundMotion[], job: JobHandle, gesture: Gesture): Promise<void> {
     const opened = await openProject(dropped);
     const { sources } = this.openers;
     const model = await this.ports.readModel(opened.modelFiles, reading(job));
@@ -74,6 +75,9 @@ export class FileOpening {
     const files = sources.addMotion(opened.document.motion.files, opened.motion);
     const file = sources.addModel(opened.document.mesh.file, model, modelFiles(opened.modelFiles));
     const taken = await this.steps.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
+    const namesOf = (names: readonly string[]): string => names.map(baseName).join();
+    for (const other of motions)
+      if (namesOf(other.files) !== namesOf(opened.document.motion.files)) sources.addMotion(other.files, other.input);
     const { history, selection } = this.context;
     history.markSaved();
     selection.endIntro();

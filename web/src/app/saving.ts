@@ -14,7 +14,7 @@ export class Saving {
   ) {}
 
   async save(): Promise<void> {
-    await (await import("./project-saving")).saveProject(this.context, this.helpers.sources, this.ports.files);
+    await (await import("./project-saving")).saveProject(this.context, this.helpers, this.ports.files);
   }
 
   /** Shows what an animated model would be like, and makes it. */

@@ -46,13 +46,18 @@ export class Sources {
     return this.sources.get(model);
   }
 
-  /** Everything that a project names. */
-  filesOf(model: SolverModel, motionFiles: readonly string[]): NamedFile[] {
-    const motion = this.library.motion(motionFiles);
-    const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
-    const texts = motion ? motionTexts(motion) : [];
-    const motions = texts.map((text, k) => ({ name: motionFiles[k] ?? "", bytes: encode(text) }));
-    return [...(this.of(model)?.files ?? []), ...motions];
+  /** What a project is saved with: its model, then motions, each name once. */
+  filesOf(model: SolverModel, motions: readonly (readonly string[])[]): NamedFile[] {
+    const files = new Map((this.of(model)?.files ?? []).map((file) => [file.name, file]));
+    for (const names of motions) {
+      const motion = this.library.motion(names);
+      const texts = motion ? motionTexts(motion) : [];
+      for (const [k, text] of texts.entries()) {
+        const name = names[k] ?? "";
+        if (!files.has(name)) files.set(name, { name, bytes: new TextEncoder().encode(text) });
+      }
+    }
+    return [...files.values()];
   }
 }
 

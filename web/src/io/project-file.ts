@@ -22,7 +22,7 @@ export function projectFileName(document: ProjectDocument): string {
 }
 
 /**
- * A zip of project.json and `files`: the model with its materials and pictures, and the motion.
+ * A zip of project.json and `files`: the model with its materials and pictures, and motions.
  * Names keep their folders but never lead upwards. Errors (DocumentError): a file that the project names is not among them.
  */
 export function saveProject(document: ProjectDocument, files: readonly NamedFile[]): Uint8Array<ArrayBuffer> {

@@ -2,7 +2,8 @@ import { expect, test } from "vitest";
 import { openProject } from "../../src/io/project-file";
 import type { MadeFile } from "../../src/app/exporting";
 import type { Session } from "../../src/app/session";
-import { dancingSession, said } from "./app-support";
+import { dancingSession, file, said } from "./app-support";
+import { nod } from "./engine-support";
 
 test("a project is downloaded with everything it names, and is saved then", async () => {
   const { session, ports } = await dancingSession();
@@ -15,6 +16,18 @@ test("a project is downloaded with everything it names, and is saved then", asyn
   const opened = await openProject([{ name, bytes }]);
   expect(opened.document).toEqual(session.document);
   expect(opened.motion.text).toContain("Frames: 30");
+});
+
+test("a project is saved with every motion that was brought in, and they are there again when it is opened", async () => {
+  const { session, ports } = await dancingSession();
+  const { text } = nod();
+  await session.opening.files([file("one.bvh", text), file("two.bvh", text)]);
+  await session.saving.save();
+  const [{ name, bytes }] = ports.downloads;
+  const { session: later } = await dancingSession();
+  await later.opening.files([file(name, bytes)]);
+  expect(later.motions.list.filter(({ builtin }) => !builtin).map((entry) => entry.files)).toEqual([["one.bvh"], ["two.bvh"]]);
+  expect(later.context.motionName).toBe("one.bvh");
 });
 
 /** Until the file is there. */

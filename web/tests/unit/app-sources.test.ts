@@ -19,7 +19,7 @@ test("a model keeps its files; the same files again are the same model", async (
   expect(sources.addModel("tetra.obj", await readModel([other]), [other])).toBe("tetra 2.obj");
 });
 
-test("a project is saved with the model's files and the motion's text", async () => {
+test("a project is saved with the model's files and the texts of its motions, each once", async () => {
   const library = new Library();
   const sources = new Sources(library);
   const file = textFile("tetra.obj", TETRAHEDRON);
@@ -27,7 +27,8 @@ test("a project is saved with the model's files and the motion's text", async ()
   sources.addModel("tetra.obj", model, [file]);
   const motion = nod();
   const names = sources.addMotion(["nod.bvh"], motion);
-  const saved = sources.filesOf(model, names);
-  expect(saved.map(({ name }) => name)).toEqual(["tetra.obj", "nod.bvh"]);
+  const other = sources.addMotion(["shake.bvh"], { ...motion, name: "shake.bvh" });
+  const saved = sources.filesOf(model, [names, other, names]);
+  expect(saved.map(({ name }) => name)).toEqual(["tetra.obj", "nod.bvh", "shake.bvh"]);
   expect(new TextDecoder().decode(saved[1].bytes)).toBe(motion.text);
 });
