@@ -48,7 +48,7 @@ export const POSES = [
     moves: {
       top: [0, 0.16, 0],
       middle: [0, 0.04, 0.01],
-      "right-arm": [-0.04, 0.04, 0.1],
+      "right-arm": [-0.06, 0.06, 0.1],
       "left-arm": [0.04, 0.02, 0.1],
       "right-edge": [0, 0, -0.06],
       "left-edge": [0, 0, -0.06],
@@ -61,8 +61,8 @@ export const POSES = [
     moves: {
       top: [0, 0.28, -0.03],
       middle: [0, 0.07, 0.01],
-      "right-arm": [0.05, 0.42, 0.02],
-      "left-arm": [-0.05, 0.38, 0.02],
+      "right-arm": [0, 0.4, 0.02],
+      "left-arm": [0, 0.34, 0.02],
       "right-edge": [0.06, 0, 0],
       "left-edge": [-0.06, 0, 0],
     },
@@ -82,7 +82,6 @@ export const POSES = [
     id: "lean-left", // the hop to its left
     motion: "hop",
     seconds: 0.84,
-    mirror: { id: "lean-right", seconds: 1.77 },
     moves: {
       top: [0.24, 0.08, 0],
       middle: [0.05, 0.03, 0],
@@ -96,7 +95,6 @@ export const POSES = [
     id: "step-left", // the left foot reaches forward: the left edge swings up and ahead, the weight is over the right one
     motion: "walk",
     seconds: 0.97,
-    mirror: { id: "step-right", seconds: 0.97 + 0.55 },
     moves: {
       top: [-0.16, -0.01, 0.04],
       middle: [-0.05, 0.01, 0.02],
@@ -110,13 +108,31 @@ export const POSES = [
     id: "run", // in the air, the left edge behind
     motion: "run",
     seconds: 0.07,
-    moves: { top: [0, 0.04, 0.1], middle: [0, 0.02, 0.03], "left-arm": [-0.06, 0.05, 0.22], "right-arm": [0.06, -0.05, -0.2], "left-edge": [0, 0.06, -0.1], "right-edge": [0, 0.02, 0.08] },
+    moves: { top: [0, 0.08, 0.16], middle: [0, 0.06, 0.03], "left-arm": [-0.06, 0.12, 0.26], "right-arm": [0.0, -0.04, -0.24], "left-edge": [0, 0.1, -0.17], "right-edge": [0, 0.03, 0.16] },
+  },
+  {
+    id: "wave", // leans back, the whole right arm up
+    motion: "wave",
+    seconds: 1.3,
+    moves: { top: [0.15, 0.01, -0.2], middle: [0.03, 0.01, 0.04], "right-arm": [0.04, 0.8, -0.12], "left-arm": [0.06, 0.12, 0.14] },
+  },
+  {
+    id: "kick", // thrown back, the right edge of the pot high in front
+    motion: "kick",
+    seconds: 1.16,
+    moves: { top: [0.08, -0.02, -0.34], middle: [0.05, -0.01, 0.02], "left-arm": [0.06, 0.4, 0.22], "right-arm": [-0.18, 0.04, -0.16], "right-edge": [0.02, 0.2, 0.22], "left-edge": [-0.02, 0, 0] },
+  },
+  {
+    id: "turn", // arms wide
+    motion: "turn",
+    seconds: 1.4,
+    moves: { top: [0.02, -0.03, -0.12], middle: [0.02, -0.02, 0], "left-arm": [0.3, 0.22, -0.28], "right-arm": [-0.3, 0.42, -0.02], "right-edge": [0.02, 0.08, -0.04] },
   },
   {
     id: "sneak", // the left edge in the air, arms like paws
     motion: "sneak",
     seconds: 0.6,
-    moves: { top: [-0.04, -0.1, 0.12], middle: [-0.03, -0.03, 0.02], "left-arm": [-0.12, 0.02, 0.24], "right-arm": [0.12, 0.06, 0.24], "left-edge": [-0.02, 0.1, 0.08], "right-edge": [0, 0, -0.02] },
+    moves: { top: [-0.05, -0.04, 0.16], middle: [-0.03, -0.03, 0.02], "left-arm": [-0.12, 0.02, 0.24], "right-arm": [0.12, 0.06, 0.24], "left-edge": [-0.02, 0.2, 0.12], "right-edge": [0, 0, -0.02] },
   },
   {
     id: "bow",
