@@ -31,7 +31,7 @@ export const renameProject =
 /** Another model. Points and examples are places on the old one, so they go. */
 export const setMesh =
   (mesh: MeshRef): Command =>
-  ({ clips: _, joints: __, ...document }) => ({ ...document, mesh, points: [], examples: [] });
+  ({ clips: _, joints: __, stiff: ___, ...document }) => ({ ...document, mesh, points: [], examples: [] });
 
 /** Says how the same model stands. Points and examples are in the file's own axes, so they stay. */
 export const turnMesh =
@@ -82,11 +82,11 @@ export const removePoint =
   (id: string): Command =>
   (document) => {
     if (!has(document.points, id)) return document;
-    const examples = document.examples.map((example) =>
-      Object.hasOwn(example.points, id)
-        ? { ...example, points: Object.fromEntries(Object.entries(example.points).filter(([key]) => key !== id)) }
-        : example,
-    );
+    const examples = document.examples.map((example) => {
+      const { points, turns } = example;
+      if (![points, turns ?? {}].some((said) => Object.hasOwn(said, id))) return example;
+      return { ...example, points: without(points, id), ...(turns && { turns: without(turns, id) }) };
+    });
     const points = document.points
       .filter((point) => point.id !== id)
       .map((point) => {
@@ -138,6 +138,10 @@ export function freeId(taken: readonly { readonly id: string }[], prefix: string
   let n = taken.length + 1;
   while (has(taken, prefix + n)) n++;
   return prefix + n;
+}
+
+function without<T>(record: Readonly<Record<string, T>>, id: string): Record<string, T> {
+  return Object.fromEntries(Object.entries(record).filter(([key]) => key !== id));
 }
 
 function updatePoint(id: string, values: Partial<Point>): Command {

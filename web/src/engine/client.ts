@@ -5,6 +5,7 @@ import { EngineError } from "./types";
 import type {
   CallOptions,
   ControlInput,
+  DragOptions,
   Engine,
   Frame,
   BoundMeshInput,
@@ -73,8 +74,8 @@ export class EngineClient implements Engine {
     return this.#call("setMotion", motion, options);
   }
 
-  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<ShapedFrame> {
-    return this.#call("drag", { targets, volume: options.volume, restart: options.restart ?? false });
+  drag(targets: Float32Array, { volume, restart = false, turns = null }: DragOptions): Promise<ShapedFrame> {
+    return this.#call("drag", { targets, turns, volume, restart });
   }
 
   retarget(input: RetargetInput, options?: CallOptions): Promise<Performance> {

@@ -17,6 +17,7 @@ import type {
 
 export interface DragInput {
   targets: Float32Array;
+  turns: Float32Array | null;
   volume: number;
   restart: boolean;
 }

@@ -47,6 +47,7 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       Number(input.groundContact),
       Number(input.inPlace),
       input.energy ?? 0,
+      Number(input.paper ?? 0),
     ),
   );
   if (status !== 0) throw engineError(status, { kind: "retarget" });
@@ -55,10 +56,12 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
 export function describePerformance(wasm: RiglessExports, heap: Heap, handle: Handle, milliseconds: number): Performance {
   const info = heap.read(performanceInfoRow, wasm.performance_info(handle));
   const { frames, controls } = info;
+  const turns = wasm.performance_turns(handle);
   const ends = heap.integers(wasm.performance_flights(handle), 2 * info.flights);
   return {
     frames,
     controls: heap.floats(wasm.performance_controls(handle), 3 * frames * controls),
+    turns: turns ? heap.floats(turns, 3 * frames * controls) : null,
     contacts: heap.bytes(wasm.performance_contacts(handle), frames * controls),
     flights: Array.from({ length: info.flights }, (_, i): [number, number] => [ends[2 * i], ends[2 * i + 1]]),
     yaw: heap.floats(wasm.performance_yaw(handle), frames),
@@ -82,6 +85,8 @@ function edit(wasm: RiglessExports, heap: Heap, handle: Handle, controls: number
     const kinds = Int32Array.from(follow, (one) => FOLLOW_THROUGH_NAMES.indexOf(one));
     heap.lend([kinds], ([at]) => wasm.performance_follow(handle, at, controls));
   }
+  const { poseWeights } = input;
+  if (poseWeights) heap.lend([poseWeights], ([at]) => wasm.performance_weigh(handle, at, controls));
   for (const { control, runs } of contacts) {
     if (!Number.isInteger(control) || control < 0 || control >= controls) {
       throw new EngineError("bad_controls", "A contact is said of a point that the model does not have.");
