@@ -85,17 +85,15 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
   plays[performance].mirror_normal = {x, y, z};
 }
 
-// follow: C, how those without a joint hang on the body.
-RIGLESS_EXPORT void performance_follow(ObjectHandle performance, const std::int32_t* follow, std::int32_t controls) {
-  plays[performance].follow.clear();
-  for (const std::int32_t one : view<std::int32_t>(follow, controls))
-    plays[performance].follow.push_back(static_cast<rigless::FollowThrough>(one));
-}
-
-// weights: C, of the whole pose beside each control's own joint.
-RIGLESS_EXPORT void performance_weigh(ObjectHandle performance, const float* weights, std::int32_t controls) {
-  const Span<const float> own = view<float>(weights, controls);
-  plays[performance].pose_weights.assign(own.begin(), own.end());
+// follow: C, how those without a joint hang on the body, or 0; weights: C, of the whole pose beside their own joint, or
+// 0.
+RIGLESS_EXPORT void performance_follow(ObjectHandle performance, const std::int32_t* follow, const float* weights,
+                                       std::int32_t controls) {
+  Play& play = plays[performance];
+  for (std::int32_t c = 0; c < controls; ++c) {
+    if (follow != nullptr) play.follow.push_back(static_cast<rigless::FollowThrough>(follow[c]));
+    if (weights != nullptr) play.pose_weights.push_back(static_cast<double>(weights[c]));
+  }
 }
 
 // pairs: C; rest: C x 3, the controls at rest; limbs: C x 5, of body_limbs(), or 0; floor, height: of the mesh at rest;

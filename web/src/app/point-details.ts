@@ -2,6 +2,7 @@
 // first load.
 
 import * as commands from "../document/commands";
+import { pairMirror } from "../document/pair-mirror";
 import { removeStiff, setStiff } from "../document/stiff";
 import type { Command, Gesture } from "../document/store";
 import type { Point, StiffPart, Vec3 } from "../document/types";
@@ -31,6 +32,11 @@ export class PointDetails {
   /** While a slider is held, all its values are one step. */
   setWhole({ id }: Point, wholePose: number, held: boolean): void {
     this.apply(commands.setPoint(id, { wholePose }), `whole ${id}`, held);
+  }
+
+  /** Its partner on the other side, itself in the middle, or nobody. */
+  pairMirror({ id }: Point, partner: string | null): void {
+    this.session.context.history.apply(pairMirror(id, partner));
   }
 
   /** By how much a point is turned at the present frame, degrees about each axis; null: there is no dance. */

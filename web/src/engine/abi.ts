@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1386577871;
+export const ABI = 1655191335;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -485,8 +485,7 @@ export interface RiglessExports {
   performance_stand(performance: Handle, control: number, begin: number, end: number): void;
   performance_fly(performance: Handle, flights: Pointer<Integers>, count: number): void;
   performance_mirror(performance: Handle, partners: Pointer<Integers>, controls: number, x: number, y: number, z: number): void;
-  performance_follow(performance: Handle, follow: Pointer<Integers>, controls: number): void;
-  performance_weigh(performance: Handle, weights: Pointer<Float32Array>, controls: number): void;
+  performance_follow(performance: Handle, follow: Pointer<Integers>, weights: Pointer<Float32Array>, controls: number): void;
   performance_begin(
     performance: Handle,
     motion: Handle,

@@ -2,7 +2,7 @@
 
 import { solidInfoRow } from "./abi";
 import { Heap } from "./heap";
-import { engineError } from "./messages";
+import { Refusal } from "./refusal";
 import type { SolidCells } from "../util/solid-cells";
 import type { BoundMeshInput } from "./types";
 import { instantiateShapeAnalysis } from "./wasm";
@@ -24,7 +24,7 @@ export function buildSolid({ positions, faces, parts = null, rigidity = null }: 
   const status = heap.lend([positions, faces, parts, rigidity], ([at, facesAt, partsAt, rigidityAt]) =>
     module.build_solid(at, positions.length / 3, facesAt, faces.length / 3, partsAt, rigidityAt),
   );
-  if (status !== 0) throw engineError(status, { kind: "mesh" });
+  if (status !== 0) throw new Refusal(status, { kind: "mesh" });
   const { nodes, elements, edges, cell } = heap.read(solidInfoRow, module.solid_info());
   return {
     cell,

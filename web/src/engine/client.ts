@@ -142,6 +142,15 @@ export class EngineClient implements Engine {
         this.#pending.delete(reply.id);
         call.resolve(reply.value);
         return;
+      case "refused": {
+        const { id, packed, subject } = reply;
+        this.#pending.delete(id);
+        import("./messages").then(
+          ({ engineError }) => call.reject(engineError(packed, subject)),
+          () => call.reject(new EngineError("engine_lost", "The page is not whole: reload it.")),
+        );
+        return;
+      }
       case "failed":
         this.#pending.delete(reply.id);
         call.reject(new EngineError(reply.code, reply.message));

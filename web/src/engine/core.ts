@@ -4,10 +4,10 @@ import { bakeRootRow, bodyReportRow, performanceInfoRow, writeControlInput } fro
 import type { BodyReport, Handle, PackedStatus, RiglessExports } from "./abi";
 import { type BuiltSolid, buildSolid } from "./build-solid";
 import { Heap } from "./heap";
-import { engineError } from "./messages";
 import type { Subject } from "./messages";
 import { readMotion } from "./motion";
 import type { DragInput, FramesInput, SetMeshInput } from "./protocol";
+import { Refusal } from "./refusal";
 import { beginRetarget, describePerformance } from "./retarget";
 import { EngineError } from "./types";
 import type {
@@ -188,7 +188,7 @@ export class Core {
   }
 
   #check(packed: PackedStatus, subject: Subject): void {
-    if (packed !== 0) throw engineError(packed, subject);
+    if (packed !== 0) throw new Refusal(packed, subject);
   }
 }
 

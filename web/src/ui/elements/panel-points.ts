@@ -64,7 +64,7 @@ export class PointsPanel extends SessionElement {
       </select></label>
       ${point.joint === null ? this.renderFollow(point) : this.renderWhole(point)}
       <label class="pair">Mirrors <select @change=${(event: Event) =>
-        session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>
+        this.said.pairMirror(point, (event.target as HTMLSelectElement).value || null)}>
         <option value="" ?selected=${point.mirror === undefined}>nothing</option>
         ${points.map(
           (other) => html`<option value=${other.id} ?selected=${other.id === point.mirror}
