@@ -34,6 +34,7 @@ struct Play {
   std::vector<std::int32_t> mirror;
   Vec3d mirror_normal = Vec3d::UnitX();
   std::vector<rigless::FollowThrough> follow;
+  std::vector<double> pose_weights;
   rigless::PerformanceBuilder<double> builder;
   rigless::Performance<float> performance;
   bool made = false;
@@ -84,11 +85,15 @@ RIGLESS_EXPORT void performance_mirror(ObjectHandle performance, const std::int3
   plays[performance].mirror_normal = {x, y, z};
 }
 
-// follow: C, how those without a joint hang on the body.
-RIGLESS_EXPORT void performance_follow(ObjectHandle performance, const std::int32_t* follow, std::int32_t controls) {
-  plays[performance].follow.clear();
-  for (const std::int32_t one : view<std::int32_t>(follow, controls))
-    plays[performance].follow.push_back(static_cast<rigless::FollowThrough>(one));
+// follow: C, how those without a joint hang on the body, or 0; weights: C, of the whole pose beside their own joint, or
+// 0.
+RIGLESS_EXPORT void performance_follow(ObjectHandle performance, const std::int32_t* follow, const float* weights,
+                                       std::int32_t controls) {
+  Play& play = plays[performance];
+  for (std::int32_t c = 0; c < controls; ++c) {
+    if (follow != nullptr) play.follow.push_back(static_cast<rigless::FollowThrough>(follow[c]));
+    if (weights != nullptr) play.pose_weights.push_back(static_cast<double>(weights[c]));
+  }
 }
 
 // pairs: C; rest: C x 3, the controls at rest; limbs: C x 5, of body_limbs(), or 0; floor, height: of the mesh at rest;
@@ -98,7 +103,8 @@ RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHa
                                               const float* rest, const float* limbs, std::int32_t controls,
                                               double floor, double height, const float* example_joints,
                                               const float* example_controls, std::int32_t examples, double smoothness,
-                                              std::int32_t ground_contact, std::int32_t in_place, double energy) {
+                                              std::int32_t ground_contact, std::int32_t in_place, double energy,
+                                              std::int32_t paper) {
   const rigless::StagedMotion<double>& staged = motions[motion].staged;
   const std::vector<Vec3d> rest_controls = widen(rest, controls);
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
@@ -114,13 +120,14 @@ RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHa
   input.floor = floor;
   input.height = height;
   input.examples = {joints, places};
-  input.settings = {smoothness, ground_contact != 0, in_place != 0, energy};
+  input.settings = {smoothness, ground_contact != 0, in_place != 0, energy, paper != 0};
   Play& play = plays[performance];
   const Span<const rigless::Flight> flights = play.flights;
   input.constraints = play.constraints;
   input.contacts = play.contacts;
   if (play.own_flights) input.flights = &flights;
   input.follow = play.follow;
+  input.pose_weights = play.pose_weights;
   input.mirror = play.mirror;
   input.mirror_normal = play.mirror_normal;
   return pack(play.builder.begin(input));
@@ -170,9 +177,20 @@ RIGLESS_EXPORT const Ask* performance_ask(ObjectHandle performance, std::int32_t
   return answer<Ask>({.frame = ask.frame, .gain = ask.gain});
 }
 
-// T x C x 3; T x C; pairs of frames; T; T x 2; T x C; T
+// turns: rotation vectors of the first `count` examples that know the control.
+RIGLESS_EXPORT void performance_turn(ObjectHandle performance, std::int32_t control, const float* turns,
+                                     std::int32_t count) {
+  Play& play = plays[performance];
+  play.builder.turn<float>(control, view<rigless::Vec3<float>>(turns, count), play.performance);
+}
+
+// T x C x 3; the same, or 0; T x C; pairs of frames; T; T x 2; T x C; T
 RIGLESS_EXPORT const float* performance_controls(ObjectHandle performance) {
   return plays[performance].performance.controls.data()->data();
+}
+RIGLESS_EXPORT const float* performance_turns(ObjectHandle performance) {
+  const auto& turns = plays[performance].performance.turns;
+  return turns.empty() ? nullptr : turns.data()->data();
 }
 RIGLESS_EXPORT const std::uint8_t* performance_contacts(ObjectHandle performance) {
   return plays[performance].performance.contacts.data();

@@ -17,14 +17,16 @@ rigless::Solid<float> solid;
 
 }  // namespace
 
-// positions: V x 3, stage; faces: F x 3; part: V as in SolidOptions, or null. What is built is
-// solid_info() and what follows it.
+// positions: V x 3, stage; faces: F x 3; part: V as in SolidOptions, or null; rigidity: V of stiffen(), or null. What
+// is built is solid_info() and what follows it.
 RIGLESS_EXPORT PackedStatus build_solid(const float* positions, std::int32_t vertices, const std::int32_t* faces,
-                                        std::int32_t face_count, const std::int32_t* part) {
+                                        std::int32_t face_count, const std::int32_t* part, const float* rigidity) {
   rigless::SolidOptions options;
   if (part != nullptr) options.part = {part, static_cast<std::size_t>(vertices)};
-  return pack(rigless::build_solid<float>(view<rigless::Vec3<float>>(positions, vertices),
-                                          view<rigless::Face>(faces, face_count), options, solid));
+  const rigless::Status status = rigless::build_solid<float>(view<rigless::Vec3<float>>(positions, vertices),
+                                                             view<rigless::Face>(faces, face_count), options, solid);
+  if (status.ok() && rigidity != nullptr) rigless::stiffen<float>(view<float>(rigidity, vertices), solid);
+  return pack(status);
 }
 
 RIGLESS_EXPORT const SolidInfo* solid_info() {

@@ -36,11 +36,12 @@ RIGLESS_EXPORT ObjectHandle body_new() { return bodies.add(); }
 
 RIGLESS_EXPORT void body_delete(ObjectHandle body) { bodies.remove(body); }
 
-// positions: V x 3; faces: F x 3. Forgets controls. On failure the body keeps what it had.
+// positions: V x 3; faces: F x 3; rigidity: V, or 0. Forgets controls. On failure the body keeps what it had.
 RIGLESS_EXPORT PackedStatus body_set_mesh(ObjectHandle body, const float* positions, std::int32_t vertices,
-                                          const std::int32_t* faces, std::int32_t face_count) {
-  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
-                                    rigless::Solid<float>{}));
+                                          const std::int32_t* faces, std::int32_t face_count, const float* rigidity,
+                                          std::int32_t paper) {
+  return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count), {},
+                                    {view<float>(rigidity, rigidity == nullptr ? 0 : vertices), paper != 0}));
 }
 
 // The same mesh, solved by the solid that was built from it: solid_info() and what follows it, as they are.
@@ -50,7 +51,7 @@ RIGLESS_EXPORT PackedStatus body_set_solid_mesh(ObjectHandle body, const float* 
                                                 const std::int32_t* elements, std::int32_t element_count,
                                                 const std::int32_t* element_of, const std::int32_t* first,
                                                 const std::int32_t* neighbors, const float* weights,
-                                                const std::int32_t* parts) {
+                                                const std::int32_t* parts, std::int32_t paper) {
   rigless::Solid<float> solid;
   const auto take = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
   solid.cell = static_cast<float>(cell);
@@ -62,7 +63,7 @@ RIGLESS_EXPORT PackedStatus body_set_solid_mesh(ObjectHandle body, const float* 
   take(solid.weight, view<float>(weights, solid.ring.first.back()));
   take(solid.part, view<std::int32_t>(parts, node_count));
   return pack(bodies[body].set_mesh(view<Vec3f>(positions, vertices), view<rigless::Face>(faces, face_count),
-                                    std::move(solid)));
+                                    std::move(solid), {{}, paper != 0}));
 }
 
 RIGLESS_EXPORT const BodyReport* body_report(ObjectHandle body) {
@@ -87,10 +88,11 @@ RIGLESS_EXPORT PackedStatus body_set_controls(ObjectHandle body, const ControlIn
   return pack(bodies[body].set_controls(controls));
 }
 
-// targets: C x 3, body-local. The result is body_positions(), or body_maps().
-RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, std::int32_t count, float volume,
-                                      std::int32_t restart) {
-  return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0));
+// targets: C x 3, body-local; turns: C x 3, or 0. The result is body_positions(), or body_maps().
+RIGLESS_EXPORT PackedStatus body_drag(ObjectHandle body, const float* targets, const float* turns, std::int32_t count,
+                                      float volume, std::int32_t restart) {
+  return pack(bodies[body].drag(view<Vec3f>(targets, count), volume, restart != 0,
+                                view<Vec3f>(turns, turns == nullptr ? 0 : count)));
 }
 
 RIGLESS_EXPORT const float* body_positions(ObjectHandle body) { return bodies[body].positions().data()->data(); }
@@ -120,16 +122,17 @@ RIGLESS_EXPORT ObjectHandle bake_new() { return bakes.add(); }
 
 RIGLESS_EXPORT void bake_delete(ObjectHandle bake) { bakes.remove(bake); }
 
-// Takes a performance in: controls T x C x 3, yaw T, travel T x 3, flights as pairs of frames. The body and its
-// controls must stay.
+// Takes a performance in: controls T x C x 3, turns T x C x 3 or 0, yaw T, travel T x 3, flights as pairs of frames.
+// The body and its controls must stay.
 RIGLESS_EXPORT void bake_begin(ObjectHandle bake, ObjectHandle body, std::int32_t frames, const float* controls,
-                               const float* yaw, const float* travel, const std::int32_t* flights,
+                               const float* turns, const float* yaw, const float* travel, const std::int32_t* flights,
                                std::int32_t flight_count, float volume) {
   BodyBake& b = bakes[bake];
   b.body = &bodies[body];
   const auto assign = [](auto& to, auto from) { to.assign(from.begin(), from.end()); };
   b.performance.frames = frames;
   assign(b.performance.controls, view<Vec3f>(controls, frames * b.body->controls()));
+  assign(b.performance.turns, view<Vec3f>(turns, turns == nullptr ? 0 : frames * b.body->controls()));
   assign(b.performance.yaw, view<float>(yaw, frames));
   assign(b.performance.travel, view<std::array<float, 3>>(travel, frames));
   assign(b.performance.flights, view<rigless::Flight>(flights, flight_count));

@@ -25,6 +25,9 @@ export default defineConfig({
     outDir: "dist",
     assetsInlineLimit: 0, // data: addresses would need a weaker content-security-policy
     chunkSizeWarningLimit: 1000,
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: "shared", test: /\/src\/.*(joint-names|stage-transform|placement|constants)\.ts$/ }] } },
+    },
     modulePreload: { polyfill: false }, // browsers without it fetch a little later
   },
   worker: { format: "es" },

@@ -322,3 +322,25 @@ TEST_CASE("the same solid everywhere, to the bit") {
   m.add(ball<float>({0, 2.3f, 0}, {.3f, .08f, .3f}));
   CHECK(hash_of(solid_of(m)) == 16963938706063680675u);
 }
+
+TEST_CASE("a part of it is stiffer, to its middle, and no edge is softer than before") {
+  const Model<float> m = mannequin(0.02f);
+  const Solid<float> soft = solid_of(m);
+  Solid<float> stiff = soft;
+  float top = 0;
+  for (const auto& p : m.vertices) top = std::max(top, p.y());
+  std::vector<float> rigidity;
+  for (const auto& p : m.vertices) rigidity.push_back(p.y() > 0.85f * top ? 10.f : 1.f);
+  stiffen<float>(rigidity, stiff);
+  std::int32_t stiffer = 0;
+  for (std::size_t i = 0; i < soft.rest.size(); ++i) {
+    for (auto e = to_size(soft.ring.first[i]); e < to_size(soft.ring.first[i + 1]); ++e) {
+      const float ratio = stiff.weight[e] / soft.weight[e];
+      const float low = std::min(soft.rest[i].y(), nth(soft.rest, soft.ring.neighbor[e]).y());
+      if (low > 0.85f * top + 3 * soft.cell) CHECK(ratio == doctest::Approx(10));
+      if (low < 0.85f * top - 3 * soft.cell) CHECK(ratio == doctest::Approx(1));
+      stiffer += ratio > 5 ? 1 : 0;
+    }
+  }
+  CHECK(stiffer > 0);
+}

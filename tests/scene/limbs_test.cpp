@@ -256,3 +256,33 @@ TEST_CASE("a thick arm swings as a thin one does, a bump half as far") {
   CHECK(swing(17, 5) > 0.9);
   CHECK(swing(9, 9) < 0.6);
 }
+
+TEST_CASE("a hand that is twisted turns by that much, takes its arm along and leaves no trace") {
+  HeldHuman held(build_blocks<float>(block_human));
+  held.body.act(held.rest, 1);
+  const std::vector<Vec3f> before(held.body.positions().begin(), held.body.positions().end());
+  std::vector<Vec3f> turns(held.rest.size(), Vec3f::Zero());
+  turns[HeldHuman::left_hand] = {0.9f, 0, 0};  // about the arm
+  held.body.act(held.rest, 1, turns);
+  const std::vector<Vec3f> twisted(held.body.positions().begin(), held.body.positions().end());
+  // by how much what rests between two planes across the arm is turned about it
+  const auto turn_between = [&](float from, float to) {
+    const Vec3f center = held.rest[HeldHuman::left_hand];
+    float sine = 0, cosine = 0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      const Vec3f p = before[v] - center, q = twisted[v] - center;
+      if (held.model.vertices[v].x() < from || held.model.vertices[v].x() > to) continue;
+      sine += p.y() * q.z() - p.z() * q.y();
+      cosine += p.y() * q.y() + p.z() * q.z();
+    }
+    return std::atan2(sine, cosine);
+  };
+  CHECK(turn_between(15, 99) == doctest::Approx(0.9).epsilon(0.05));
+  CHECK(turn_between(8, 11) > 0.1f);
+  CHECK(turn_between(8, 11) < turn_between(15, 99) - 0.1f);
+  const std::int64_t allocated = test::allocation_count;
+  held.body.act(held.rest, 1, turns);
+  CHECK(test::allocation_count == allocated);
+  held.body.act(held.rest, 1);
+  for (std::size_t v = 0; v < before.size(); ++v) REQUIRE(held.body.positions()[v] == before[v]);
+}

@@ -291,6 +291,29 @@ TEST_CASE("a performance of any length, with everything asked of it") {
   }
 }
 
+TEST_CASE("a control turns as far as the performance follows the example that turns it") {
+  Stick stick;
+  REQUIRE(stage(walk(361, 0), stick.motion).ok());
+  for (const std::int32_t f : {10, 25}) {
+    const auto joints = to_size(stick.motion.clip.joints());
+    const auto pose = stick.motion.local.begin() + static_cast<std::ptrdiff_t>(to_size(f) * joints);
+    stick.joints.insert(stick.joints.end(), pose, pose + static_cast<std::ptrdiff_t>(joints));
+    stick.controls.insert(stick.controls.end(), stick.rest.begin(), stick.rest.end());
+  }
+  PerformanceBuilder<double> builder;
+  REQUIRE(builder.begin(stick.input()).ok());
+  while (builder.advance(1 << 20)) {
+  }
+  Performance<double> made;
+  REQUIRE(builder.finish(made).ok());
+  const std::vector<Vec3d> ways = {Vec3d(0, 1, 0), Vec3d::Zero()};
+  builder.turn<double>(2, ways, made);
+  const auto turn = [&](std::int32_t f) { return made.turns[to_size(4 * f + 2)].y(); };
+  CHECK(turn(10) > 0.6);
+  CHECK(turn(25) < 0.3);
+  CHECK(made.turns[4 * 10 + 1].norm() == 0);
+}
+
 TEST_CASE("the rate of the file hardly matters") {
   Stick stick;
   REQUIRE(stage(walk(480, 0), stick.motion).ok());

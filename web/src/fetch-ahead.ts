@@ -9,6 +9,7 @@ export function fetchAhead(): void {
       () => import("./ui/assist"),
       () => import("./app/project-saving"),
       () => import("./app/exporting"),
+      () => import("./engine/messages"),
       () => import("./engine/skin-in-worker"),
       () => import("./app/keeping"),
       () => import("./page/shelf"),

@@ -61,6 +61,33 @@ RIGLESS_COLD Status build_solid(Span<const Vec3<S>> vertices, Span<const Face> f
   return {};
 }
 
+// Makes it stiffer, as DeformerOptions have it for a surface: V numbers above 0. A node is as stiff as the stiffest
+// vertex around it, or else as the nearest nodes that have some. Allocates.
+template <class S>
+RIGLESS_COLD void stiffen(Span<const S> rigidity, Solid<S>& solid) {
+  std::vector<S> of(solid.rest.size(), S(0));
+  std::vector<std::int32_t> queue;
+  for (std::size_t v = 0; v < rigidity.size(); ++v) {
+    if (solid.element_of[v] < 0) continue;
+    for (const std::int32_t node : nth(solid.element, solid.element_of[v])) {
+      if (nth(of, node) == S(0)) queue.push_back(node);
+      nth(of, node) = std::max(nth(of, node), rigidity[v]);
+    }
+  }
+  for (std::size_t k = 0; k < queue.size(); ++k) {
+    const auto i = to_size(queue[k]);
+    for (std::int32_t e = solid.ring.first[i]; e < solid.ring.first[i + 1]; ++e) {
+      const std::int32_t j = nth(solid.ring.neighbor, e);
+      if (nth(of, j) > S(0)) continue;
+      nth(of, j) = of[i];
+      queue.push_back(j);
+    }
+  }
+  for (std::size_t i = 0; i < of.size(); ++i)
+    for (auto e = to_size(solid.ring.first[i]); e < to_size(solid.ring.first[i + 1]); ++e)
+      solid.weight[e] *= std::max(std::min(of[i], nth(of, solid.ring.neighbor[e])), S(1));
+}
+
 // N transforms from N present positions: p is the node's, A = .98 E + .02 R, where column a of E is the mean of the
 // node's present edges along axis a (those of the elements, turned to point along +a, bridges aside) divided by `cell`,
 // and R the rotation nearest to E. No allocation.

@@ -49,6 +49,7 @@ struct RetargetInput {
   Span<const Vec3<S>> joints;      // T x J, body-local metres
   std::int32_t joint_count = 0;    // J
   Span<const std::int32_t> pairs;  // C: joint that drives each control, or -1: the whole pose
+  Span<const S> pose_weights;      // C: of each control its own pose_weight; or empty
   Examples<S> examples;            // N x J, N x C
   Constraints<S> constraints;      // track: control; mesh-local units (per frame)
 };
@@ -92,7 +93,8 @@ class Retargeter {
     next.controls.resize(controls);
     std::vector<detail::TrackInput<double>> tracks;
     for (std::size_t c = 0; c < controls; ++c) {
-      poses.features(input.pairs[c], static_cast<double>(options.pose_weight), next.clip[c], next.examples[c]);
+      const S weight = input.pose_weights.empty() ? options.pose_weight : input.pose_weights[c];
+      poses.features(input.pairs[c], static_cast<double>(weight), next.clip[c], next.examples[c]);
       keep_known(example_controls, c, next);
       if (next.controls[c].empty()) return {Error::no_examples, c};
       tracks.push_back({next.clip[c], next.examples[c], next.controls[c]});
@@ -167,6 +169,7 @@ class Retargeter {
     const auto joints = to_size(in.joint_count);
     const std::size_t controls = in.pairs.size();
     if (controls == 0) return {Error::no_controls, -1};
+    if (!in.pose_weights.empty() && in.pose_weights.size() != controls) return {Error::size_mismatch, -1};
     const std::size_t examples = in.examples.controls.size() / controls;
     if (examples == 0) return {Error::no_examples, -1};
     if (in.joints.size() % joints != 0 || in.examples.controls.size() != examples * controls ||

@@ -82,7 +82,9 @@ class Bake {
   void deform(std::int32_t f) {
     const std::size_t controls = performance_->control_count();
     const Span<const Vec3<S>> tracks = performance_->controls;
-    body_->act(tracks.subspan(to_size(f) * controls, controls), volume_);
+    const Span<const Vec3<S>> turns = performance_->turns;
+    body_->act(tracks.subspan(to_size(f) * controls, controls), volume_,
+               turns.empty() ? turns : turns.subspan(to_size(f) * controls, controls));
     nth(lowest_, f) = body_->lowest();
   }
 

@@ -14,12 +14,19 @@
 #include "rigless/scene/detail/limb_turns.h"
 #include "rigless/scene/detail/soles.h"
 #include "rigless/scene/detail/trunk.h"
+#include "rigless/scene/detail/twist.h"
 
 namespace rigless {
 
 // What is solved: the mesh's own surface, as in the paper, or a solid inside it that carries the mesh along, whatever
 // it is made of.
 enum class Solve : std::int32_t { surface, solid };
+
+template <class S>
+struct BodyOptions {
+  Span<const S> rigidity = {};  // of a surface: V as in DeformerOptions, or empty; a solid's weights have it already
+  bool paper = false;           // as in the paper: cells scale freely, and discs stay turned as they rest
+};
 
 template <class S>
 class Body {
@@ -34,9 +41,14 @@ class Body {
   }
 
   // The same with a solid that was built from this mesh; an empty one: the surface is solved.
-  Status set_mesh(Span<const Vec3<S>> rest, Span<const Face> faces, Solid<S> solid) {
-    if (const Status status = solid.rest.empty() ? bind_surface(rest, faces) : bind_solid(rest, solid); !status.ok())
-      return status;
+  Status set_mesh(Span<const Vec3<S>> rest, Span<const Face> faces, Solid<S> solid,
+                  const BodyOptions<S>& options = {}) {
+    DeformerOptions<S> cells;
+    if (options.paper) cells.elastic = 0;
+    cells.rigidity = options.rigidity;
+    const Status status = solid.rest.empty() ? bind_surface(rest, faces, cells) : bind_solid(rest, solid, cells);
+    if (!status.ok()) return status;
+    paper_ = options.paper;
     solid_ = std::move(solid);
     rest_.assign(rest.begin(), rest.end());
     faces_.assign(faces.begin(), faces.end());
@@ -56,23 +68,26 @@ class Body {
     return {};
   }
 
-  // Moves the mesh, see positions(), towards C targets from where the last drag left it, or from rest. No allocation.
-  // Errors: size_mismatch; not_finite (where: control).
-  Status drag(Span<const Vec3<S>> targets, S volume, bool restart) {
+  // Moves the mesh, see positions(), towards C targets from where the last drag left it, or from rest. turns: C
+  // rotation vectors by which controls turn beyond what surrounds them, or none. No allocation. Errors: size_mismatch;
+  // not_finite (where: control).
+  Status drag(Span<const Vec3<S>> targets, S volume, bool restart, Span<const Vec3<S>> turns = {}) {
     if (targets.empty() || targets.size() != controls_.size()) return {Error::size_mismatch, -1};
     for (std::size_t c = 0; c < targets.size(); ++c) {
       if (!targets[c].allFinite()) return {Error::not_finite, c};
     }
     const Span<const Mat3<S>> turned = begin_towards(targets);
     drag_.move(deformer_, targets, volume, restart, turned);
+    detail::twist_controls<S>(deformer_, turns, volume);
     take_shape();
     return {};
   }
 
-  // The mesh for these C finite targets; depends on nothing but them. No allocation.
-  void act(Span<const Vec3<S>> targets, S volume) {
+  // The mesh for these C finite targets and turns; depends on nothing but them. No allocation.
+  void act(Span<const Vec3<S>> targets, S volume, Span<const Vec3<S>> turns = {}) {
     const Span<const Mat3<S>> turned = begin_towards(targets);
     detail::deform_from_rest(deformer_, targets, volume, turned);
+    detail::twist_controls<S>(deformer_, turns, volume);
     take_shape();
   }
 
@@ -135,16 +150,18 @@ class Body {
   bool is_solid() const { return !solid_.rest.empty(); }
   bool closed() const { return topology_.closed() && volume_ != S(0); }
 
-  Status bind_surface(Span<const Vec3<S>> rest, Span<const Face> faces) {
-    if (const Status status = deformer_.bind(rest, faces); !status.ok()) return status;
+  Status bind_surface(Span<const Vec3<S>> rest, Span<const Face> faces, const DeformerOptions<S>& options) {
+    if (const Status status = deformer_.bind(rest, faces, options); !status.ok()) return status;
     carried_ = {};
     transforms_ = {};
     maps_ = {};
     return {};
   }
 
-  RIGLESS_COLD Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid) {
-    if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight); !status.ok()) return status;
+  RIGLESS_COLD Status bind_solid(Span<const Vec3<S>> rest, const Solid<S>& solid, DeformerOptions<S> options) {
+    options.rigidity = {};
+    if (const Status status = deformer_.bind_graph(solid.rest, solid.ring, solid.weight, options); !status.ok())
+      return status;
     supports_ = outermost_ = outermost_vertices(solid, rest);
     carried_.assign(rest.begin(), rest.end());
     transforms_.resize(solid.rest.size());
@@ -188,6 +205,7 @@ class Body {
 
   // How nodes begin to turn, none where the surface is solved; leads hands of the targets around the body.
   Span<const Mat3<S>> begin_towards(Span<const Vec3<S>>& targets) {
+    for (std::int32_t c = 0; paper_ && c < controls(); ++c) deformer_.turn(c, Mat3<S>::Identity());
     if (!is_solid()) return {};
     const detail::TrunkMotion<S> trunk = trunk_.turn(deformer_, targets);
     targets = clearance_.clear(trunk, targets);
@@ -220,6 +238,7 @@ class Body {
   std::vector<std::int32_t> supports_;        // those that may stand on the ground
   std::vector<Vec3<S>> carried_;              // V
   bool carried_is_new_ = false;
+  bool paper_ = false;
 };
 
 }  // namespace rigless

@@ -37,6 +37,7 @@ template <class S>
 struct Performance {
   std::int32_t frames = 0;             // T
   std::vector<Vec3<S>> controls;       // T x C, body-local stage metres
+  std::vector<Vec3<S>> turns;          // T x C, by how much controls turn beyond what surrounds them; or none
   std::vector<std::uint8_t> contacts;  // T x C, 1 while the control stands on the ground
   std::vector<Flight> flights;         // do not overlap
   std::vector<S> yaw;                  // T, put back after deforming
@@ -62,6 +63,7 @@ RIGLESS_COLD Performance<T> performance_cast(const Performance<S>& from) {
   Performance<T> to;
   to.frames = from.frames;
   for (const Vec3<S>& p : from.controls) to.controls.push_back(p.template cast<T>());
+  for (const Vec3<S>& p : from.turns) to.turns.push_back(p.template cast<T>());
   to.contacts = from.contacts;
   to.flights = from.flights;
   for (const S yaw : from.yaw) to.yaw.push_back(number(yaw));

@@ -21,6 +21,7 @@ struct PerformanceSettings {
   bool ground_contact = true;            // feet that stand do not slide, and carry a weight
   bool in_place = false;                 // the body does not travel
   S energy = 0;                          // -1 calm, 0 as taught, 1 as in a cartoon
+  bool paper = false;                    // as in the paper: RetargetOptions::thesis(), and no accents of the human's
 };
 
 // What a performance is built from. J joints, C controls, N examples.
@@ -31,6 +32,7 @@ struct PerformanceInput {
   Span<const Vec3<S>> rest;          // C, controls at rest, stage metres
   Span<const ModelLimb<S>> limbs;    // C: what each control is the end of; or empty
   Span<const FollowThrough> follow;  // C: how those without a joint hang on the body; or empty: stiff
+  Span<const S> pose_weights;        // C: as in RetargetInput; or empty
   S floor = 0;                       // y of the lowest vertex at rest
   S height = 1;                      // of the mesh at rest
   Examples<S> examples;              // the user's; while they are few, starters are added
@@ -89,7 +91,8 @@ class PerformanceBuilder {
     retarget.examples = examples.view();
     retarget.constraints = input.constraints;
     laps_.shift(retarget.constraints);
-    RetargetOptions<S> options;
+    retarget.pose_weights = input.pose_weights;
+    RetargetOptions<S> options = input.settings.paper ? RetargetOptions<S>::thesis() : RetargetOptions<S>();
     options.fps = static_cast<S>(performance_fps);
     options.smoothness = input.settings.smoothness;
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
@@ -123,7 +126,7 @@ class PerformanceBuilder {
     p.source_contacts = ground_.source_labels();
     const std::vector<double> freedom =
         detail::freedom_of(detail::held_controls(constraints_, p), controls_, p.frames, motion_->loop_period);
-    detail::give_accents<S>(*motion_, pairs_, freedom, settings_.energy, p);
+    if (!settings_.paper) detail::give_accents<S>(*motion_, pairs_, freedom, settings_.energy, p);
     std::vector<Vec3<S>> root;
     if (const Status status = ground_.stand(constraints_, settings_.ground_contact, p, root); !status.ok())
       return status;
@@ -144,6 +147,19 @@ class PerformanceBuilder {
     p.starters = starters_;
     out = std::move(p);
     return {};
+  }
+
+  // After finish(): control c of what was made turns as its examples do. turns: rotation vectors of the first of the
+  // examples that know it; the others do not turn it. Allocates.
+  template <class T>
+  RIGLESS_COLD void turn(std::int32_t c, Span<const Vec3<T>> turns, Performance<T>& made) const {
+    const Span<const double> wound = retargeter_.weights(c);
+    const auto margin = to_size(laps_.margin()), frames = to_size(laps_.frames);
+    const std::size_t examples = wound.size() / (frames + 2 * margin);
+    made.turns.resize(made.controls.size(), Vec3<T>::Zero());
+    for (std::size_t f = 0; f < frames; ++f)
+      for (std::size_t n = 0; n < turns.size(); ++n)
+        made.turns[f * controls_ + to_size(c)] += static_cast<T>(wound[(margin + f) * examples + n]) * turns[n];
   }
 
  private:

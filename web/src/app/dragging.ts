@@ -193,7 +193,7 @@ export class Dragging {
     const { targets } = active;
     const { workspace } = this.context;
     workspace
-      .drag(targets, restart)
+      .drag(targets, restart, workspace.turnsAt(active.frame))
       .then(
         (frame) => {
           this.show(active, frame);
@@ -232,7 +232,8 @@ export class Dragging {
     const here = (): boolean => this.active === drag && drag.targets === targets && !this.asking;
     if (!here()) return;
     try {
-      const frame = await this.context.workspace.drag(targets, true);
+      const { workspace } = this.context;
+      const frame = await workspace.drag(targets, true, workspace.turnsAt(drag.frame));
       const from = drag.shape;
       if (!from || !here()) return;
       drag.volume = frame.volumeRatio;

@@ -8,6 +8,8 @@ export class Pairing {
   adding = false;
   /** The point that waits for its joint. */
   waiting: string | null = null;
+  /** Takes the next click on the mesh. */
+  private next: ((vertex: number) => void) | null = null;
 
   constructor(
     private readonly context: Context,
@@ -26,7 +28,7 @@ export class Pairing {
 
   /** Something is to be clicked on the stage. */
   get asks(): boolean {
-    return this.adding || this.waiting !== null;
+    return this.adding || this.waiting !== null || this.next !== null;
   }
 
   toggleAdd(): void {
@@ -44,7 +46,21 @@ export class Pairing {
     this.waitFor(null);
   }
 
+  /** Where the next click on the mesh is, instead of a point there. */
+  ask(next: (vertex: number) => void): void {
+    this.stop();
+    this.next = next;
+    this.context.signals.tell("pairing");
+  }
+
+  get asksPlace(): boolean {
+    return this.next !== null;
+  }
+
   surface(vertex: number): void {
+    const { next } = this;
+    if (next) this.waitFor(null);
+    next?.(vertex);
     if (!this.adding) return;
     const id = this.points.add(vertex);
     if (id) this.waitFor(id);
@@ -76,6 +92,7 @@ export class Pairing {
 
   waitFor(id: string | null): void {
     this.waiting = id;
+    this.next = null;
     this.context.signals.tell("pairing");
   }
 }

@@ -1,7 +1,6 @@
 import { clipOf, pinFault, removePin, setPin } from "../document/clips";
 import { freeId } from "../document/commands";
 import type { Pin } from "../document/types";
-import { missedPins } from "../sync/missed-pins";
 import { pointsOfControls } from "../sync/point-controls";
 import type { Context } from "./context";
 import type { Dragging, Dropped } from "./dragging";
@@ -9,19 +8,6 @@ import type { Dragging, Dropped } from "./dragging";
 export type { Pin } from "../document/types";
 
 const TITLE = "A pin is not kept.";
-
-/** What a kind of pin says, and what its flag shows (the path of a stroke). */
-export const PIN_KINDS: Readonly<Record<Pin["kind"], { make: string; is: string; flag: string; means: string; sign: string }>> = {
-  place: { make: "Hold it", is: "is held", flag: "held here", means: "It is just there, whatever the poses say.", sign: "M9 7.5h.01" },
-  still: { make: "Stand still", is: "stands still", flag: "stands still", means: "It is where it was a frame before.", sign: "M7.5 7.5h4" },
-  level: {
-    make: "Keep level",
-    is: "is level",
-    flag: "level",
-    means: "It is as high as its partner on the other side.",
-    sign: "M7.5 6.5h4m-4 2.5h4",
-  },
-};
 
 /** Pins: a point held at a place in one frame, or still for a moment. Unlike poses they teach nothing about other frames. */
 export class Pins {
@@ -34,7 +20,7 @@ export class Pins {
     private readonly context: Context,
     private readonly dragging: Dragging,
   ) {
-    context.workspace.on("performance", () => this.check());
+    context.workspace.on("performance", () => void this.check());
   }
 
   get here(): readonly Pin[] {
@@ -87,6 +73,11 @@ export class Pins {
     if (this.canBe(pin, kind)) this.context.history.apply(setPin(this.as(pin, kind)));
   }
 
+  /** The same pin, with something else said. */
+  change(pin: Pin): void {
+    this.context.history.apply(setPin(pin));
+  }
+
   remove(id: string): void {
     const { history, notices } = this.context;
     const pin = this.here.find((other) => other.id === id);
@@ -102,8 +93,11 @@ export class Pins {
   }
 
   /** Says which pin the new dance cannot keep, by how much, and what stands against it; or takes that back. */
-  private check(): void {
+  private async check(): Promise<void> {
     const { performance, document, notices } = this.context;
+    if (this.here.length === 0) return notices.dismissTitle(TITLE);
+    const { missedPins } = await import("../sync/missed-pins");
+    if (performance !== this.context.performance) return;
     const missed = performance && missedPins(document, performance);
     if (!missed) return; // of an older document; the next dance is on its way
     const [worst] = missed;
@@ -124,10 +118,12 @@ export class Pins {
   }
 
   private as(pin: Pin, kind: Pin["kind"]): Pin {
-    if (kind !== "level" || pin.other) return { ...pin, kind };
     const { points } = this.context.document;
+    if (kind === "moves") return { velocity: [0, 0, 0], ...pin, kind };
+    if (kind !== "level" || pin.other) return { ...pin, kind };
     const partner = points.find(({ id }) => id === pin.point)?.mirror;
-    const other = points.find(({ id }) => id === partner)?.id;
+    const others = points.filter(({ id }) => id !== pin.point);
+    const other = (others.find(({ id }) => id === partner) ?? others[0])?.id;
     return other ? { ...pin, kind, other } : { ...pin, kind };
   }
 

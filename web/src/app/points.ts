@@ -60,11 +60,6 @@ export class Points {
     return motion ? pointJoints(document, motion) : new Int32Array(document.points.length).fill(-1);
   }
 
-  /** Its partner on the other side, itself in the middle, or nobody. */
-  pairMirror(id: string, partner: string | null): void {
-    this.context.history.apply(commands.pairMirror(id, partner));
-  }
-
   remove(id: string): void {
     const { document, history, notices } = this.context;
     const name = document.points.find((point) => point.id === id)?.name ?? "A point";

@@ -1,10 +1,10 @@
 import { startOf } from "../document/clips";
 import * as commands from "../document/commands";
-import type { Example, Vec3 } from "../document/types";
+import type { Example } from "../document/types";
 import type { Motion } from "../engine/types";
 import { sayPose } from "../sync/pairing";
 import type { SaidPose } from "../sync/pairing";
-import { exampleControls, pointPartners, pointsOfControls } from "../sync/point-controls";
+import { exampleControls, pointPartners, pointsOfControls, turnsOfControls } from "../sync/point-controls";
 import type { Context } from "./context";
 import type { Dragging, Dropped } from "./dragging";
 import { mirroredFrame } from "./mirrored";
@@ -142,7 +142,7 @@ export class Poses {
     if (next) this.goTo(next.id);
   }
 
-  private sourceAt(frame: number): Example["source"] {
+  sourceAt(frame: number): Example["source"] {
     return { motion: this.context.motionName, frame: frame + startOf(this.context.document) };
   }
 
@@ -151,13 +151,15 @@ export class Poses {
   }
 
   /** The human at a frame and the model as these controls have it. */
-  private pairAt(frame: number, controls: Float32Array): (SaidPose & { points: Record<string, Vec3> }) | null {
+  pairAt(frame: number, controls: Float32Array): (SaidPose & Pick<Example, "points" | "turns">) | null {
     const { motion, model, document } = this.context;
+    const turns = this.context.workspace.turnsAt(frame);
     if (!motion || !model) return null;
     const size = 3 * motion.joints.length;
     return {
       ...sayPose(document, motion, motion.local.subarray(frame * size, (frame + 1) * size)),
       points: pointsOfControls(model, document, controls),
+      ...(turns && { turns: turnsOfControls(model, document, turns) }),
     };
   }
 }

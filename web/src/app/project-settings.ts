@@ -1,12 +1,9 @@
 import * as commands from "../document/commands";
 import type { Gesture } from "../document/store";
-import type { Axis, MeshRef, Settings, Solve } from "../document/types";
+import type { Settings } from "../document/types";
 import type { Context } from "./context";
-import { nextFacing, withUp } from "./facing";
 
-export type { Axis } from "../document/types";
-
-/** The project's name and sliders, and how the model stands. */
+/** The project's name and sliders. */
 export class ProjectSettings {
   private slide: { key: string; gesture: Gesture } | null = null;
 
@@ -22,23 +19,5 @@ export class ProjectSettings {
     const gesture = this.slide?.key === key ? this.slide.gesture : undefined;
     this.context.history.apply(commands.setSettings({ [key]: value }), gesture);
     if (!held) this.slide = null;
-  }
-
-  /** A quarter turn. */
-  turnModel(): void {
-    const { facing, up } = this.context.document.mesh;
-    this.turn({ facing: nextFacing(facing, up), up });
-  }
-
-  setUp(up: Axis): void {
-    this.turn(withUp(this.context.document.mesh, up));
-  }
-
-  setSolve(solve: Solve): void {
-    this.context.history.apply(commands.solveMesh(solve));
-  }
-
-  private turn({ facing, up }: Pick<MeshRef, "facing" | "up">): void {
-    this.context.history.apply(commands.turnMesh(facing, up));
   }
 }

@@ -52,9 +52,11 @@ function moved(clip: ClipEdits, by: number): ClipEdits {
 export const pointsOfPin = ({ point, other = point }: Pin): string[] => [point, other];
 
 /** What a pin of its kind lacks or may not say, as a field and a sentence about it; null: nothing. */
-export function pinFault({ kind, point, other = point, frame, position }: Pin): string | null {
+export function pinFault({ kind, point, other = point, frame, position, velocity }: Pin): string | null {
   if (kind === "place" && !position) return 'position is missing: a pin of kind "place" says where.';
-  if (kind === "still" && frame === 0) return "frame is 0, but no frame comes before it in which its point could stand.";
+  if (kind === "moves" && !velocity) return 'velocity is missing: a pin of kind "moves" says how fast.';
+  if ((kind === "still" || kind === "moves") && frame === 0)
+    return "frame is 0, but no frame comes before it in which its point could stand.";
   if (kind === "level" && other === point) return 'other is missing: a pin of kind "level" names another point.';
   return null;
 }

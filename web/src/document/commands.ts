@@ -31,7 +31,7 @@ export const renameProject =
 /** Another model. Points and examples are places on the old one, so they go. */
 export const setMesh =
   (mesh: MeshRef): Command =>
-  ({ clips: _, joints: __, ...document }) => ({ ...document, mesh, points: [], examples: [] });
+  ({ clips: _, joints: __, stiff: ___, ...document }) => ({ ...document, mesh, points: [], examples: [] });
 
 /** Says how the same model stands. Points and examples are in the file's own axes, so they stay. */
 export const turnMesh =
@@ -82,11 +82,11 @@ export const removePoint =
   (id: string): Command =>
   (document) => {
     if (!has(document.points, id)) return document;
-    const examples = document.examples.map((example) =>
-      Object.hasOwn(example.points, id)
-        ? { ...example, points: Object.fromEntries(Object.entries(example.points).filter(([key]) => key !== id)) }
-        : example,
-    );
+    const examples = document.examples.map((example) => {
+      const { points, turns } = example;
+      if (![points, turns ?? {}].some((said) => Object.hasOwn(said, id))) return example;
+      return { ...example, points: without(points, id), ...(turns && { turns: without(turns, id) }) };
+    });
     const points = document.points
       .filter((point) => point.id !== id)
       .map((point) => {
@@ -96,25 +96,6 @@ export const removePoint =
       });
     const clips = forgetPoint(document.clips, id);
     return { ...document, points, examples, ...(clips && { clips }) };
-  };
-
-/** Says that two points are each other's mirror image; one alone: it lies in the middle; null: it has no partner. */
-export const pairMirror =
-  (id: string, partner: string | null): Command =>
-  (document) => {
-    const loose = document.points.map((point) => {
-      if (![point.id, point.mirror].some((one) => one !== undefined && (one === id || one === partner))) return point;
-      const { mirror: _, ...alone } = point;
-      return alone;
-    });
-    const with_ = (point: Point): string | null => (point.id === id ? partner : point.id === partner ? id : null);
-    return {
-      ...document,
-      points: loose.map((point) => {
-        const mirror = with_(point);
-        return mirror === null ? point : { ...point, mirror };
-      }),
-    };
   };
 
 export const addExample =
@@ -138,6 +119,10 @@ export function freeId(taken: readonly { readonly id: string }[], prefix: string
   let n = taken.length + 1;
   while (has(taken, prefix + n)) n++;
   return prefix + n;
+}
+
+function without<T>(record: Readonly<Record<string, T>>, id: string): Record<string, T> {
+  return Object.fromEntries(Object.entries(record).filter(([key]) => key !== id));
 }
 
 function updatePoint(id: string, values: Partial<Point>): Command {

@@ -55,7 +55,7 @@ function parseJson(text: string, fileName: string): unknown {
 }
 
 /** What the schema cannot say. */
-function brokenReference({ points, examples, clips = {} }: ProjectDocument): string | null {
+function brokenReference({ points, examples, stiff = [], clips = {} }: ProjectDocument): string | null {
   const ids = new Set<string>();
   for (const [n, { id }] of points.entries()) {
     if (ids.has(id)) return `points[${n}].id is "${id}", which another point has already.`;
@@ -65,9 +65,13 @@ function brokenReference({ points, examples, clips = {} }: ProjectDocument): str
   for (const [n, example] of examples.entries()) {
     if (exampleIds.has(example.id)) return `examples[${n}].id is "${example.id}", which another example has already.`;
     exampleIds.add(example.id);
-    const stranger = Object.keys(example.points).find((id) => !ids.has(id));
-    if (stranger !== undefined) return `examples[${n}].points places "${stranger}", but no point has this id.`;
+    for (const said of ["points", "turns"] as const) {
+      const stranger = Object.keys(example[said] ?? {}).find((id) => !ids.has(id));
+      if (stranger !== undefined) return `examples[${n}].${said} places "${stranger}", but no point has this id.`;
+    }
   }
+  const twin = stiff.findIndex(({ id }, n) => stiff.findIndex((other) => other.id === id) < n);
+  if (twin >= 0) return `stiff[${twin}].id is "${stiff[twin].id}", which another stiff part has already.`;
   for (const [name, clip] of Object.entries(clips)) {
     const broken = brokenClip(clip, ids);
     if (broken) return `clips[${JSON.stringify(name.slice(0, 60))}].${broken}`;

@@ -29,6 +29,9 @@ export type FollowThrough = "stiff" | "bouncy" | "floppy";
 /** Of points without a joint. */
 export const DEFAULT_FOLLOW: FollowThrough = "bouncy";
 
+/** Of points with a joint. */
+export const DEFAULT_WHOLE_POSE = 0.5;
+
 /** A control point: a place on the model and the joint that it follows. */
 export interface Point {
   readonly id: string;
@@ -43,6 +46,8 @@ export interface Point {
   readonly slab?: boolean;
   /** Without a joint: how it hangs on the body; default DEFAULT_FOLLOW. */
   readonly follow?: FollowThrough;
+  /** With a joint: how much the whole pose counts beside it; default DEFAULT_WHOLE_POSE. */
+  readonly wholePose?: number;
   /** Id of the same point on the other side; its own in the middle. One that is not there counts as none. */
   readonly mirror?: string;
 }
@@ -56,6 +61,17 @@ export interface Example {
   readonly joints: Readonly<Record<string, Vec3>>;
   /** Positions of the points by id, in the model file's own units and axes. A point that is missing keeps its rest position. */
   readonly points: Readonly<Record<string, Vec3>>;
+  /** By how much points turn beyond what surrounds them, by id: rotation vectors in radians, in the model file's own axes. */
+  readonly turns?: Readonly<Record<string, Vec3>>;
+}
+
+/** A part of the model that keeps its shape. */
+export interface StiffPart {
+  readonly id: string;
+  /** On the rest surface, as a point's. */
+  readonly position: Vec3;
+  /** How far it reaches along the surface, in model heights; without: over the whole piece that is connected there. */
+  readonly radius?: number;
 }
 
 export interface Settings {
@@ -71,6 +87,8 @@ export interface Settings {
   readonly inPlace: boolean;
   /** Every pose also teaches its mirror image, through the partners of the points. */
   readonly symmetry: boolean;
+  /** Deforms and learns as the paper does; energy, ground contact, symmetry and what points say of themselves rest. */
+  readonly paper?: boolean;
 }
 
 /** A constraint about a point at one frame of a clip. */
@@ -79,11 +97,14 @@ export interface Pin {
   readonly point: string;
   /** Of the whole motion, at 30 fps. */
   readonly frame: number;
-  /** "place": it is at `position`; "still": it is where it was a frame before; "level": it is as high as `other`. */
-  readonly kind: "place" | "still" | "level";
+  /** "place": it is at `position`; "still": it is where it was a frame before; "level": it is as high as `other`; "moves": it comes from
+   * the frame before with `velocity`. */
+  readonly kind: "place" | "still" | "level" | "moves";
   /** Body-local, in the model file's own units and axes, as in an example. */
   readonly position?: Vec3;
   readonly other?: string;
+  /** Body-local, in the model file's own units per second of the motion, and axes. */
+  readonly velocity?: Vec3;
 }
 
 /** Roles of joints that can be said of a motion whose joints were taken for others. */
@@ -126,6 +147,7 @@ export interface ProjectDocument {
   readonly motion: MotionRef;
   readonly points: readonly Point[];
   readonly examples: readonly Example[];
+  readonly stiff?: readonly StiffPart[];
   /** Roles of joints whose names do not tell them, such as "left foot", by the name that a point or an example says. */
   readonly joints?: Readonly<Record<string, string>>;
   /** By the motion file's name, without folders. */

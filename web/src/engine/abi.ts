@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 2001167253;
+export const ABI = 1655191335;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -401,6 +401,8 @@ export interface RiglessExports {
     vertices: number,
     faces: Pointer<Integers>,
     faceCount: number,
+    rigidity: Pointer<Float32Array>,
+    paper: number,
   ): PackedStatus;
   body_set_solid_mesh(
     body: Handle,
@@ -418,10 +420,18 @@ export interface RiglessExports {
     neighbors: Pointer<Integers>,
     weights: Pointer<Float32Array>,
     parts: Pointer<Integers>,
+    paper: number,
   ): PackedStatus;
   body_report(body: Handle): Pointer<BodyReport>;
   body_set_controls(body: Handle, inputs: Pointer<ControlInput>, count: number): PackedStatus;
-  body_drag(body: Handle, targets: Pointer<Float32Array>, count: number, volume: number, restart: number): PackedStatus;
+  body_drag(
+    body: Handle,
+    targets: Pointer<Float32Array>,
+    turns: Pointer<Float32Array>,
+    count: number,
+    volume: number,
+    restart: number,
+  ): PackedStatus;
   body_positions(body: Handle): Pointer<Float32Array>;
   body_maps(body: Handle): Pointer<Float32Array>;
   body_volume_ratio(body: Handle): number;
@@ -434,6 +444,7 @@ export interface RiglessExports {
     body: Handle,
     frames: number,
     controls: Pointer<Float32Array>,
+    turns: Pointer<Float32Array>,
     yaw: Pointer<Float32Array>,
     travel: Pointer<Float32Array>,
     flights: Pointer<Integers>,
@@ -474,7 +485,7 @@ export interface RiglessExports {
   performance_stand(performance: Handle, control: number, begin: number, end: number): void;
   performance_fly(performance: Handle, flights: Pointer<Integers>, count: number): void;
   performance_mirror(performance: Handle, partners: Pointer<Integers>, controls: number, x: number, y: number, z: number): void;
-  performance_follow(performance: Handle, follow: Pointer<Integers>, controls: number): void;
+  performance_follow(performance: Handle, follow: Pointer<Integers>, weights: Pointer<Float32Array>, controls: number): void;
   performance_begin(
     performance: Handle,
     motion: Handle,
@@ -491,13 +502,16 @@ export interface RiglessExports {
     groundContact: number,
     inPlace: number,
     energy: number,
+    paper: number,
   ): PackedStatus;
   performance_advance(performance: Handle): PackedStatus;
   performance_progress(performance: Handle): number;
   performance_info(performance: Handle): Pointer<PerformanceInfo>;
   performance_miss(performance: Handle, constraint: number): Pointer<Miss>;
   performance_ask(performance: Handle, index: number): Pointer<Ask>;
+  performance_turn(performance: Handle, control: number, turns: Pointer<Float32Array>, count: number): void;
   performance_controls(performance: Handle): Pointer<Float32Array>;
+  performance_turns(performance: Handle): Pointer<Float32Array>;
   performance_contacts(performance: Handle): Pointer<Uint8Array>;
   performance_flights(performance: Handle): Pointer<Integers>;
   performance_yaw(performance: Handle): Pointer<Float32Array>;
@@ -533,6 +547,7 @@ export interface ShapeAnalysisExports {
     faces: Pointer<Integers>,
     faceCount: number,
     part: Pointer<Integers>,
+    rigidity: Pointer<Float32Array>,
   ): PackedStatus;
   solid_info(): Pointer<SolidInfo>;
   solid_nodes(): Pointer<Float32Array>;

@@ -4,7 +4,7 @@ import { shapePointRow, shapeRow, writeLandmark } from "./abi";
 import type { ShapePoint } from "./abi";
 import { FILE_AXES_NAMES } from "../util/constants";
 import { Heap } from "./heap";
-import { engineError } from "./messages";
+import { Refusal } from "./refusal";
 import type { ShapeAnalysisInput } from "./protocol";
 import { EngineError } from "./types";
 import type { AxisName, BodyPoint, ShapeAnalysis } from "./types";
@@ -26,7 +26,7 @@ export function analyseShape({ mesh, wasm }: ShapeAnalysisInput): ShapeAnalysis 
       ),
     ),
   );
-  if (status !== 0) throw engineError(status, { kind: "mesh" });
+  if (status !== 0) throw new Refusal(status, { kind: "mesh" });
   const { up, front, sure, planePoint, planeNormal, misfit, symmetric, points } = heap.read(shapeRow, module.shape());
   return {
     up: axisName(up),

@@ -2,7 +2,7 @@
 
 import { solidInfoRow } from "./abi";
 import { Heap } from "./heap";
-import { engineError } from "./messages";
+import { Refusal } from "./refusal";
 import type { SolidCells } from "../util/solid-cells";
 import type { BoundMeshInput } from "./types";
 import { instantiateShapeAnalysis } from "./wasm";
@@ -17,16 +17,14 @@ export interface BuiltSolid extends SolidCells {
   partOf: Int32Array;
 }
 
-const NONE = new Int32Array(0);
-
 /** `wasm`: the bytes of shape-analysis.wasm. Errors (EngineError): bad_mesh. */
-export function buildSolid({ positions, faces, parts }: BoundMeshInput, wasm: ArrayBuffer): BuiltSolid {
+export function buildSolid({ positions, faces, parts = null, rigidity = null }: BoundMeshInput, wasm: ArrayBuffer): BuiltSolid {
   const module = instantiateShapeAnalysis(wasm);
   const heap = new Heap(module);
-  const status = heap.lend([positions, faces, parts ?? NONE], ([at, facesAt, partsAt]) =>
-    module.build_solid(at, positions.length / 3, facesAt, faces.length / 3, parts ? partsAt : 0),
+  const status = heap.lend([positions, faces, parts, rigidity], ([at, facesAt, partsAt, rigidityAt]) =>
+    module.build_solid(at, positions.length / 3, facesAt, faces.length / 3, partsAt, rigidityAt),
   );
-  if (status !== 0) throw engineError(status, { kind: "mesh" });
+  if (status !== 0) throw new Refusal(status, { kind: "mesh" });
   const { nodes, elements, edges, cell } = heap.read(solidInfoRow, module.solid_info());
   return {
     cell,

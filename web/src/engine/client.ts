@@ -5,6 +5,7 @@ import { EngineError } from "./types";
 import type {
   CallOptions,
   ControlInput,
+  DragOptions,
   Engine,
   Frame,
   BoundMeshInput,
@@ -73,8 +74,8 @@ export class EngineClient implements Engine {
     return this.#call("setMotion", motion, options);
   }
 
-  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<ShapedFrame> {
-    return this.#call("drag", { targets, volume: options.volume, restart: options.restart ?? false });
+  drag(targets: Float32Array, { volume, restart = false, turns = null }: DragOptions): Promise<ShapedFrame> {
+    return this.#call("drag", { targets, turns, volume, restart });
   }
 
   retarget(input: RetargetInput, options?: CallOptions): Promise<Performance> {
@@ -141,6 +142,15 @@ export class EngineClient implements Engine {
         this.#pending.delete(reply.id);
         call.resolve(reply.value);
         return;
+      case "refused": {
+        const { id, packed, subject } = reply;
+        this.#pending.delete(id);
+        import("./messages").then(
+          ({ engineError }) => call.reject(engineError(packed, subject)),
+          () => call.reject(new EngineError("engine_lost", "The page is not whole: reload it.")),
+        );
+        return;
+      }
       case "failed":
         this.#pending.delete(reply.id);
         call.reject(new EngineError(reply.code, reply.message));

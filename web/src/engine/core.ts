@@ -4,13 +4,24 @@ import { bakeRootRow, bodyReportRow, performanceInfoRow, writeControlInput } fro
 import type { BodyReport, Handle, PackedStatus, RiglessExports } from "./abi";
 import { type BuiltSolid, buildSolid } from "./build-solid";
 import { Heap } from "./heap";
-import { engineError } from "./messages";
 import type { Subject } from "./messages";
 import { readMotion } from "./motion";
 import type { DragInput, FramesInput, SetMeshInput } from "./protocol";
+import { Refusal } from "./refusal";
 import { beginRetarget, describePerformance } from "./retarget";
 import { EngineError } from "./types";
-import type { ControlInput, Frame, MeshReport, Motion, MotionInput, Performance, RetargetInput, ShapedFrame, SolidCells } from "./types";
+import type {
+  BoundMeshInput,
+  ControlInput,
+  Frame,
+  MeshReport,
+  Motion,
+  MotionInput,
+  Performance,
+  RetargetInput,
+  ShapedFrame,
+  SolidCells,
+} from "./types";
 
 export class Core {
   #wasm: RiglessExports;
@@ -32,18 +43,20 @@ export class Core {
     this.#body = wasm.body_new();
   }
 
-  setMesh({ mesh: { positions, faces, parts }, wasm }: SetMeshInput): MeshReport {
+  setMesh({ mesh, wasm }: SetMeshInput): MeshReport {
+    const { positions, faces, rigidity = null, paper } = mesh;
     if (positions.length % 3 !== 0 || faces.length % 3 !== 0) {
       throw new EngineError("bad_mesh", "The model's points and triangles do not come in threes.");
     }
     let solid: SolidCells | null = null;
     if (wasm) {
-      const { first, neighbors, weights, partOf, ...cells } = buildSolid({ positions, faces, parts }, wasm);
-      this.#setSolidMesh(positions, faces, { ...cells, first, neighbors, weights, partOf });
+      const { first, neighbors, weights, partOf, ...cells } = buildSolid(mesh, wasm);
+      this.#setSolidMesh(mesh, { ...cells, first, neighbors, weights, partOf });
       solid = cells;
     } else
-      this.#heap.lend([positions, faces], ([at, facesAt]) => {
-        this.#check(this.#wasm.body_set_mesh(this.#body, at, positions.length / 3, facesAt, faces.length / 3), { kind: "mesh" });
+      this.#heap.lend([positions, faces, rigidity], ([at, facesAt, rigidityAt]) => {
+        const counts = [at, positions.length / 3, facesAt, faces.length / 3] as const;
+        this.#check(this.#wasm.body_set_mesh(this.#body, ...counts, rigidityAt, Number(paper ?? 0)), { kind: "mesh" });
       });
     this.#forgetBake();
     this.#controls = 0;
@@ -54,13 +67,14 @@ export class Core {
     return { vertices: this.#vertices, faces: faces.length / 3, volume: known(volume), ...report, solid };
   }
 
-  #setSolidMesh(positions: Float32Array, faces: Uint32Array, solid: BuiltSolid): void {
+  #setSolidMesh({ positions, faces, paper }: BoundMeshInput, solid: BuiltSolid): void {
     const { cell, nodes, elements, elementOf, first, neighbors, weights, partOf } = solid;
     this.#heap.lend([positions, faces, nodes, elements, elementOf, first, neighbors, weights, partOf], ([at, facesAt, ...parts]) => {
       const [nodesAt, elementsAt, elementOfAt, firstAt, neighborsAt, weightsAt, partOfAt] = parts;
       const mesh = [at, positions.length / 3, facesAt, faces.length / 3] as const;
       const cells = [cell, nodesAt, nodes.length / 3, elementsAt, elements.length / 8, elementOfAt] as const;
-      const status = this.#wasm.body_set_solid_mesh(this.#body, ...mesh, ...cells, firstAt, neighborsAt, weightsAt, partOfAt);
+      const edges = [firstAt, neighborsAt, weightsAt, partOfAt] as const;
+      const status = this.#wasm.body_set_solid_mesh(this.#body, ...mesh, ...cells, ...edges, Number(paper ?? 0));
       this.#check(status, { kind: "mesh" });
     });
   }
@@ -85,11 +99,11 @@ export class Core {
     return motion;
   }
 
-  drag({ targets, volume, restart }: DragInput): ShapedFrame {
+  drag({ targets, turns, volume, restart }: DragInput): ShapedFrame {
     const begin = performance.now();
     this.#needControls();
-    this.#heap.lend([targets], ([at]) => {
-      this.#check(this.#wasm.body_drag(this.#body, at, targets.length / 3, volume, Number(restart)), { kind: "controls" });
+    this.#heap.lend([targets, turns], ([at, turnsAt]) => {
+      this.#check(this.#wasm.body_drag(this.#body, at, turnsAt, targets.length / 3, volume, Number(restart)), { kind: "controls" });
     });
     return {
       shape: this.#nodes
@@ -116,6 +130,8 @@ export class Core {
         begin = performance.now();
         this.#check(this.#wasm.performance_advance(handle), { kind: "retarget" });
       }
+      for (const { control, ways } of input.turns ?? [])
+        this.#heap.lend([ways], ([at]) => this.#wasm.performance_turn(handle, control, at, ways.length / 3));
       this.#beginBake(handle, input.volume);
       return describePerformance(this.#wasm, this.#heap, handle, milliseconds + performance.now() - begin);
     } finally {
@@ -151,6 +167,7 @@ export class Core {
       this.#body,
       frames,
       wasm.performance_controls(handle),
+      wasm.performance_turns(handle),
       wasm.performance_yaw(handle),
       wasm.performance_travel(handle),
       wasm.performance_flights(handle),
@@ -171,7 +188,7 @@ export class Core {
   }
 
   #check(packed: PackedStatus, subject: Subject): void {
-    if (packed !== 0) throw engineError(packed, subject);
+    if (packed !== 0) throw new Refusal(packed, subject);
   }
 }
 

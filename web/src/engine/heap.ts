@@ -4,9 +4,9 @@
 import type { Integers, Pointer, Row } from "./abi";
 import { outOfMemory } from "./messages";
 
-type Lendable = Float32Array | Float64Array | Integers | Uint8Array;
-/** The pointer to each array. */
-type Lent<Arrays> = { [K in keyof Arrays]: Pointer<Arrays[K]> };
+type Lendable = Float32Array | Float64Array | Integers | Uint8Array | null;
+/** The pointer to each array, 0 to one that is not there. */
+type Lent<Arrays> = { [K in keyof Arrays]: Pointer<NonNullable<Arrays[K]>> };
 
 interface Memory {
   memory: WebAssembly.Memory;
@@ -22,6 +22,10 @@ export class Heap {
     const pointers: Pointer[] = [];
     try {
       for (const array of arrays) {
+        if (!array) {
+          pointers.push(0);
+          continue;
+        }
         const at = this.module.alloc(Math.max(array.byteLength, 1));
         if (at === 0) throw outOfMemory();
         pointers.push(at);

@@ -3,7 +3,8 @@
 import { jointPlaceRow, motionInfoRow, motionNotesRow, writeMotionEdits } from "./abi";
 import type { Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
-import { engineError, motionNotes } from "./messages";
+import { motionNotes } from "./messages";
+import { Refusal } from "./refusal";
 import type { Motion, MotionEdits, MotionInput } from "./types";
 
 const AS_IT_CAME: MotionEdits = { metresPerUnit: 0, fps: 0, up: -1, turns: 0, mirror: false, first: 0, last: 1e9, loop: false, joints: [] };
@@ -24,7 +25,7 @@ export function readMotion(wasm: RiglessExports, heap: Heap, input: MotionInput)
     );
     if (status !== 0) {
       const refused = wasm.motion_refused_skeleton(handle) && input.skeleton;
-      throw engineError(status, refused ? { kind: "skeleton", ...refused } : { kind: "motion", ...input });
+      throw new Refusal(status, refused ? { kind: "skeleton", ...refused } : { kind: "motion", ...input });
     }
     return { handle, motion: describe(wasm, heap, handle, input.name) };
   } catch (error) {

@@ -1,5 +1,7 @@
 // What crosses the port between the page and the engine's worker.
 
+import type { PackedStatus } from "./abi";
+import type { Subject } from "./messages";
 import type {
   BoundMeshInput,
   ControlInput,
@@ -17,6 +19,7 @@ import type {
 
 export interface DragInput {
   targets: Float32Array;
+  turns: Float32Array | null;
   volume: number;
   restart: boolean;
 }
@@ -60,6 +63,8 @@ export type Request =
 export type Reply =
   | { type: "done"; id: number; value: unknown }
   | { type: "failed"; id: number; code: EngineErrorCode; message: string }
+  /** By the core. */
+  | { type: "refused"; id: number; packed: PackedStatus; subject: Subject }
   | { type: "progress"; id: number; done: number }
   | { type: "frame"; id: number; frame: number; result: Frame | ShapedFrame }
   /** The last word of a worker: it cannot go on. */

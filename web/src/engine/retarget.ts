@@ -4,7 +4,7 @@ import { FOLLOW_THROUGH_NAMES } from "../util/constants";
 import { askRow, missRow, motionInfoRow, performanceInfoRow, writeConstraintInput } from "./abi";
 import type { BodyReport, Handle, RiglessExports } from "./abi";
 import type { Heap } from "./heap";
-import { engineError } from "./messages";
+import { Refusal } from "./refusal";
 import { EngineError } from "./types";
 import type { Performance, RetargetInput } from "./types";
 
@@ -47,18 +47,21 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       Number(input.groundContact),
       Number(input.inPlace),
       input.energy ?? 0,
+      Number(input.paper ?? 0),
     ),
   );
-  if (status !== 0) throw engineError(status, { kind: "retarget" });
+  if (status !== 0) throw new Refusal(status, { kind: "retarget" });
 }
 
 export function describePerformance(wasm: RiglessExports, heap: Heap, handle: Handle, milliseconds: number): Performance {
   const info = heap.read(performanceInfoRow, wasm.performance_info(handle));
   const { frames, controls } = info;
+  const turns = wasm.performance_turns(handle);
   const ends = heap.integers(wasm.performance_flights(handle), 2 * info.flights);
   return {
     frames,
     controls: heap.floats(wasm.performance_controls(handle), 3 * frames * controls),
+    turns: turns ? heap.floats(turns, 3 * frames * controls) : null,
     contacts: heap.bytes(wasm.performance_contacts(handle), frames * controls),
     flights: Array.from({ length: info.flights }, (_, i): [number, number] => [ends[2 * i], ends[2 * i + 1]]),
     yaw: heap.floats(wasm.performance_yaw(handle), frames),
@@ -76,12 +79,12 @@ export function describePerformance(wasm: RiglessExports, heap: Heap, handle: Ha
 
 /** Parts that follow; contacts, flights and mirror images instead of those of the motion and the model. */
 function edit(wasm: RiglessExports, heap: Heap, handle: Handle, controls: number, input: RetargetInput): void {
-  const { contacts = [], flights = null, follow = [], mirror = null, mirrorPlane = null } = input;
-  if (follow.length > 0) {
-    if (follow.length !== controls) throw new EngineError("bad_controls", "Every control of the model needs one entry in what follows.");
-    const kinds = Int32Array.from(follow, (one) => FOLLOW_THROUGH_NAMES.indexOf(one));
-    heap.lend([kinds], ([at]) => wasm.performance_follow(handle, at, controls));
+  const { contacts = [], flights = null, follow = [], poseWeights = null, mirror = null, mirrorPlane = null } = input;
+  if ([follow, poseWeights ?? []].some(({ length }) => length > 0 && length !== controls)) {
+    throw new EngineError("bad_controls", "Every control of the model needs one entry in what follows.");
   }
+  const kinds = follow.length > 0 ? Int32Array.from(follow, (one) => FOLLOW_THROUGH_NAMES.indexOf(one)) : null;
+  heap.lend([kinds, poseWeights], ([at, weightsAt]) => wasm.performance_follow(handle, at, weightsAt, controls));
   for (const { control, runs } of contacts) {
     if (!Number.isInteger(control) || control < 0 || control >= controls) {
       throw new EngineError("bad_controls", "A contact is said of a point that the model does not have.");

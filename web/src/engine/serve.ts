@@ -3,6 +3,7 @@
 
 import { Core } from "./core";
 import type { CallRequest, Reply, Request } from "./protocol";
+import { Refusal } from "./refusal";
 import { EngineError } from "./types";
 import { analyseShape } from "./analyse-shape";
 import { instantiate } from "./wasm";
@@ -160,14 +161,15 @@ class Server {
     steps.return(undefined);
   }
 
-  /** An EngineError answers the call; anything else (a trap, a bug) ends the worker. */
+  /** A Refusal or an EngineError answers the call; anything else (a trap, a bug) ends the worker. */
   #attempt(id: number, work: () => void): boolean {
     try {
       work();
       return true;
     } catch (error) {
-      if (!(error instanceof EngineError)) throw error;
-      this.#fail(id, error);
+      if (error instanceof Refusal) this.#post({ type: "refused", id, packed: error.packed, subject: error.subject });
+      else if (error instanceof EngineError) this.#fail(id, error);
+      else throw error;
       return false;
     }
   }

@@ -23,6 +23,10 @@ export interface BoundMeshInput extends MeshInput {
   parts?: Int32Array | null;
   /** What is solved: the surface itself, or a solid inside it that carries it; default "surface". */
   solve?: Solve;
+  /** V: how much stiffer the model is there than elsewhere, above 0; null (default): 1 everywhere. */
+  rigidity?: Float32Array | null;
+  /** Deforms as the paper does: cells scale freely, and what points hold does not turn by itself. */
+  paper?: boolean;
 }
 
 export type { SolidCells };
@@ -179,6 +183,12 @@ export interface RetargetInput {
   flights?: [number, number][] | null;
   /** C: each control's partner (itself on the plane, -1: none): examples are doubled by their mirror images; null (default): off. */
   mirror?: Int32Array | null;
+  /** C: how much the whole pose counts beside each control's own joint; null (default): .5 for each. */
+  poseWeights?: Float32Array | null;
+  /** How examples turn single controls: rotation vectors of the examples that know the control, images included; default none. */
+  turns?: { control: number; ways: Float32Array }[];
+  /** Learns as the paper does: a control from its joint and the four nearest examples alone. */
+  paper?: boolean;
   /** The mesh's plane of symmetry, stage; null (default): x = 0. Only its direction counts: controls mirror how they move from rest. */
   mirrorPlane?: { point: [number, number, number]; normal: [number, number, number] } | null;
 }
@@ -188,6 +198,8 @@ export interface Performance {
   frames: number;
   /** T x C x 3, body-local stage metres: the deformer's targets. */
   controls: Float32Array;
+  /** T x C x 3: rotation vectors by which controls turn beyond what surrounds them; null: none does. */
+  turns: Float32Array | null;
   /** T x C, 1 while the control stands on the ground. */
   contacts: Uint8Array;
   /** Half-open supported-to-supported frame pairs [a, b]. */
@@ -267,6 +279,13 @@ export interface CallOptions {
   onProgress?: (done: number) => void;
 }
 
+export interface DragOptions {
+  volume: number;
+  restart?: boolean;
+  /** C x 3, as in a performance. */
+  turns?: Float32Array | null;
+}
+
 /** V vertices, F frames. */
 export interface SkinInput extends MeshInput {
   /** V x 3 each, of all motions that share the skin. */
@@ -328,7 +347,7 @@ export interface Engine {
    * Deforms towards C x 3 body-local targets from where the last drag left the mesh. One slot: a newer drag rejects the older
    * with "superseded".
    */
-  drag(targets: Float32Array, options: { volume: number; restart?: boolean }): Promise<ShapedFrame>;
+  drag(targets: Float32Array, options: DragOptions): Promise<ShapedFrame>;
   /** Solves the whole clip for the present mesh, controls and motion. */
   retarget(input: RetargetInput, options?: CallOptions): Promise<Performance>;
   /** Deforms frames of the last performance, in the order asked for, as each is ready. Depends on nothing but the inputs. */

@@ -23,6 +23,8 @@ export interface Parts {
 export interface TakenMesh {
   readonly model: SolverModel;
   readonly mesh: ProjectDocument["mesh"];
+  /** What else of the document it was bound with. */
+  readonly said: readonly unknown[];
   readonly report: MeshReport;
 }
 
@@ -73,7 +75,9 @@ export class Binding {
     const { mesh, motion } = this;
     if (!mesh) throw new EngineError("bad_mesh", "There is no model yet.");
     if (!motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
-    const performance = await this.engine.retarget(retargetInput(mesh.model, document, motion.motion), call("Solving"));
+    let input = retargetInput(mesh.model, document, motion.motion);
+    if (hasDetails(document)) input = (await import("./details")).detailed(input, mesh.model, document, motion.motion);
+    const performance = await this.engine.retarget(input, call("Solving"));
     this.solved = solvedParts(document);
     return performance;
   }
@@ -86,11 +90,16 @@ export class Binding {
     return this.engine.shapes(order, onShape, call("Deforming"));
   }
 
-  private async takeMesh({ mesh }: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {
+  private async takeMesh(document: ProjectDocument, model: SolverModel, call: CallFor): Promise<void> {
+    const { mesh, stiff, settings } = document;
+    const said = [stiff, settings.paper];
     const held = this.mesh;
-    if (held?.model === model && sameMesh(held.mesh, mesh)) return;
-    const report = await this.engine.setMesh(meshInput(model, mesh), call("Binding the model"));
-    this.mesh = { model, mesh, report };
+    if (held?.model === model && sameMesh(held.mesh, mesh) && said.every((one, k) => one === held.said[k])) return;
+    const input = meshInput(model, mesh);
+    if (settings.paper) input.paper = true;
+    if (stiff) input.rigidity = (await import("./stiff")).rigidityOf(model, document);
+    const report = await this.engine.setMesh(input, call("Binding the model"));
+    this.mesh = { model, mesh, said, report };
     this.points = null;
     this.solved = null;
   }
@@ -110,6 +119,15 @@ export class Binding {
 /** Whether a model taken as one is taken as the other. */
 export function sameMesh(a: MeshRef, b: MeshRef): boolean {
   return a.facing === b.facing && a.up === b.up && solveOf(a) === solveOf(b);
+}
+
+/** Whether it says what few documents say. */
+function hasDetails(document: ProjectDocument): boolean {
+  const { pins, contacts, flights } = clipOf(document);
+  const { points, examples, settings } = document;
+  return (
+    [pins, contacts, flights, settings.paper].some(Boolean) || [...points, ...examples].some((one) => "wholePose" in one || "turns" in one)
+  );
 }
 
 /** What a dance depends on besides mesh and motion, by identity: the document is immutable. */

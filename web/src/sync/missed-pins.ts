@@ -3,7 +3,7 @@
 import { clipOf } from "../document/clips";
 import type { Pin, ProjectDocument } from "../document/types";
 import type { Performance } from "../engine/types";
-import { pinsWithin } from "./translate";
+import { pinsWithin } from "./details";
 
 /** Less is not worth a word: metres on the stage. */
 const MISSED = 0.005;

@@ -1,6 +1,6 @@
 // Points of a document as controls on the model, and controls as what a document holds. Pure.
 
-import { fromStage, pointToStage } from "../document/stage-transform";
+import { fromStage, pointToStage, type StageTransform } from "../document/stage-transform";
 import type { Example, Point, ProjectDocument, Vec3 } from "../document/types";
 import { type SolverModel, stageFor } from "./placement";
 
@@ -8,7 +8,7 @@ import { type SolverModel, stageFor } from "./placement";
 const NEAREST = new WeakMap<SolverModel, Map<string, number>>();
 
 /** The vertex of each point: the nearest that no earlier point has, because two controls on one vertex would contradict each other. */
-export function pointVertices(model: SolverModel, points: readonly Point[]): number[] {
+export function pointVertices(model: SolverModel, points: readonly Pick<Point, "position">[]): number[] {
   const known = NEAREST.get(model) ?? new Map<string, number>();
   NEAREST.set(model, known);
   const taken = new Set<number>();
@@ -54,8 +54,21 @@ export function pointsOfControls(
   document: Pick<ProjectDocument, "mesh" | "points">,
   controls: ArrayLike<number>,
 ): Record<string, Vec3> {
-  const places = fromStage(stageFor(model, document.mesh), controls);
-  return Object.fromEntries(document.points.map(({ id }, c) => [id, [places[3 * c], places[3 * c + 1], places[3 * c + 2]] as const]));
+  return pointsOfStage(stageFor(model, document.mesh), document.points, controls);
+}
+
+/** By how much C x 3 turns of the stage turn points in the file: what an example holds. */
+export function turnsOfControls(
+  model: SolverModel,
+  document: Pick<ProjectDocument, "mesh" | "points">,
+  turns: Float32Array,
+): Record<string, Vec3> {
+  return pointsOfStage({ ...stageFor(model, document.mesh), scale: 1, offset: [0, 0, 0] }, document.points, turns);
+}
+
+function pointsOfStage(stage: StageTransform, points: readonly Point[], at: ArrayLike<number>): Record<string, Vec3> {
+  const places = fromStage(stage, at);
+  return Object.fromEntries(points.map(({ id }, c) => [id, [places[3 * c], places[3 * c + 1], places[3 * c + 2]] as const]));
 }
 
 /** C: each point's partner, itself in the middle, -1 without one; null if no point has any. */

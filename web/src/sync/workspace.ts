@@ -107,9 +107,15 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     return this.binding.engine.analyseShape(shapeInput(model));
   }
 
-  /** Deforms body-locally towards C x 3 targets. Rejects with "superseded" when a newer drag overtakes it. */
-  drag(targets: Float32Array, restart: boolean): Promise<ShapedFrame> {
-    return this.binding.engine.drag(targets, { volume: this.document().settings.volume, restart });
+  /** C x 3: how the dance turns the points at a frame; null: not at all. */
+  turnsAt(frame: number): Float32Array | null {
+    const size = 3 * this.document().points.length;
+    return this.performance?.turns?.slice(frame * size, (frame + 1) * size) ?? null;
+  }
+
+  /** Deforms body-locally towards C x 3 targets, with such turns. Rejects with "superseded" when a newer drag overtakes it. */
+  drag(targets: Float32Array, restart: boolean, turns: Float32Array | null = null): Promise<ShapedFrame> {
+    return this.binding.engine.drag(targets, { volume: this.document().settings.volume, restart, turns });
   }
 
   /** Where the playhead is: missing frames are made in the order in which it meets them. */

@@ -26,8 +26,6 @@ test("points are renamed, paired and taken away, which says so and can be undone
   expect(of("top")?.name).toBe("Crown");
   points.pair("top", null);
   expect(of("top")?.joint).toBeNull();
-  points.pairMirror("left-arm", "left-edge");
-  expect([of("left-arm")?.mirror, of("left-edge")?.mirror, of("right-arm")?.mirror]).toEqual(["left-edge", "left-arm", undefined]);
   const before = context.document;
   points.remove("top");
   expect(of("top")).toBeUndefined();

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { ModelSettings } from "../../src/app/model-settings";
 import { ProjectSettings } from "../../src/app/project-settings";
 import { emptyContext } from "./app-support";
 
@@ -21,9 +22,10 @@ test("the name and how the model stands", () => {
   const settings = new ProjectSettings(context);
   settings.rename("Disco");
   expect(context.document.name).toBe("Disco");
-  settings.turnModel();
+  const model = new ModelSettings(context);
+  model.turn();
   expect(context.document.mesh).toMatchObject({ facing: "+x", up: "+y" });
-  settings.setUp("+x");
+  model.setUp("+x");
   expect(context.document.mesh.up).toBe("+x");
   expect(context.document.mesh.facing[1]).not.toBe("x");
 });

@@ -72,6 +72,7 @@ it("the page's track has exactly the fields that are written", async () => {
     performance: {
       frames: 2,
       controls: Float32Array.from({ length: 6 * C }, (_, i) => i),
+      turns: null,
       contacts: Uint8Array.from([1, 0, 1, 1, 1, 0]),
       flights: [[0, 1]],
       yaw: new Float32Array(2),

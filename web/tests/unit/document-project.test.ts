@@ -102,6 +102,13 @@ describe("project files", () => {
     ['points[1].id is "p1", which another point has already.', ["points", 1, "id"], "p1"],
     ['examples[1].id is "e1", which another example has already.', ["examples", 1, "id"], "e1"],
     ['examples[1].points places "gone", but no point has this id.', ["examples", 1, "points", "gone"], [0, 0, 0]],
+    ['examples[1].turns places "gone", but no point has this id.', ["examples", 1, "turns"], { gone: [0, 0, 0] }],
+    ['stiff[1].id is "s", which another stiff part has already.', ["stiff"], [1, 2].map(() => ({ id: "s", position: [0, 0, 0] }))],
+    [
+      'clips["02_01.amc"].pins[1].velocity is missing: a pin of kind "moves" says how fast.',
+      ["clips", "02_01.amc", "pins", 1, "kind"],
+      "moves",
+    ],
     ["examples[1].source.frame should be a whole number from 0 to 1000000000, but it is 1.5.", ["examples", 1, "source", "frame"], 1.5],
     ['clips["02_01.amc"].pins[1].id is "n2", which another pin has already.', ["clips", "02_01.amc", "pins", 0, "id"], "n2"],
     ['clips["02_01.amc"].pins[1] holds "tail", but no point has this id.', ["clips", "02_01.amc", "pins", 1, "point"], "tail"],
@@ -122,7 +129,7 @@ describe("project files", () => {
       0,
     ],
     [
-      'clips["02_01.amc"].pins[0].kind should be place, still or level, but it is "glue".',
+      'clips["02_01.amc"].pins[0].kind should be place, still, level or moves, but it is "glue".',
       ["clips", "02_01.amc", "pins", 0, "kind"],
       "glue",
     ],

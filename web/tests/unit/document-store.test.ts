@@ -5,7 +5,6 @@ import {
   addPoint,
   freeId,
   newDocument,
-  pairMirror,
   pairPoint,
   removeExample,
   removePoint,
@@ -17,6 +16,7 @@ import {
   setSettings,
   turnMesh,
 } from "../../src/document/commands";
+import { pairMirror } from "../../src/document/pair-mirror";
 import { clipOf, merged, removePin, setContacts, setFlights, setPin } from "../../src/document/clips";
 import { type Command, DocumentStore } from "../../src/document/store";
 import type { ProjectDocument } from "../../src/document/types";

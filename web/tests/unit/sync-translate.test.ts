@@ -4,6 +4,7 @@ import { addExample, addPoint, newDocument } from "../../src/document/commands";
 import { pointFromStage } from "../../src/document/stage-transform";
 import type { ProjectDocument } from "../../src/document/types";
 import { readModel } from "../../src/io/read-model";
+import { detailed } from "../../src/sync/details";
 import { stageFor } from "../../src/sync/placement";
 import { exampleControls, pointsOfControls, pointVertices, restControls } from "../../src/sync/point-controls";
 import { controlInputs, meshInput, retargetInput } from "../../src/sync/translate";
@@ -88,7 +89,8 @@ describe("what the engine is asked", async () => {
         },
       },
     };
-    const input = retargetInput(model, said, { joints, frames: 60 });
+    const clip = { joints, frames: 60 };
+    const input = detailed(retargetInput(model, said, clip), model, said, clip);
     expect(input.constraints).toHaveLength(3);
     expect(input.constraints?.[0]).toMatchObject({ control: 1, frame: 59, fromControl: -1, x: true, y: true, z: true });
     expect(pointFromStage(stage, (input.constraints?.[0] as { value: [number, number, number] }).value)).toEqual(
@@ -118,7 +120,7 @@ describe("what the engine is asked", async () => {
     expect(input.flights).toEqual([[50, 59]]);
     expect([...(input.mirror ?? [])]).toEqual([0, 3, -1, 1]);
     expect(retargetInput(model, { ...said, settings: { ...said.settings, symmetry: false } }, { joints, frames: 60 }).mirror).toBeNull();
-    expect(retargetInput(model, document, { joints, frames: 60 })).toMatchObject({
+    expect(detailed(retargetInput(model, document, clip), model, document, clip)).toMatchObject({
       constraints: [],
       contacts: [],
       flights: null,

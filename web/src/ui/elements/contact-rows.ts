@@ -1,7 +1,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { ContactRow } from "../../app/contacts";
-import { PIN_KINDS, type Pin } from "../../app/pins";
+import type { Pin } from "../../app/pins";
 import { movedRun } from "../../app/runs";
 import type { Grip, Run } from "../../app/runs";
 import { FLIGHTS } from "../../app/selection";
@@ -11,6 +11,13 @@ import { badge, pointStyle } from "../point-colors";
 import { base } from "../styles";
 
 const GRIPS = ["begin", "end"] as const;
+/** What the flag of a kind of pin says, and shows: the path of a stroke. */
+const FLAGS: Readonly<Record<Pin["kind"], readonly [says: string, sign: string]>> = {
+  place: ["held here", "M9 7.5h.01"],
+  still: ["stands still", "M7.5 7.5h4"],
+  level: ["level", "M7.5 6.5h4m-4 2.5h4"],
+  moves: ["moves on", "M7.5 7.5h4l-2-2"],
+};
 
 /** A bar in the hand, or one that is being drawn. */
 interface Held {
@@ -137,7 +144,7 @@ export class ContactRows extends SessionElement {
   private renderFlag(pin: Pin, last: number) {
     const { pins, player } = this.session;
     const on = pins.chosen === pin.id || pin.frame === player.frame;
-    const { flag: says, sign } = PIN_KINDS[pin.kind];
+    const [says, sign] = FLAGS[pin.kind];
     const chosen = pins.chosen === pin.id;
     return html`<button class="flag ${on ? "on" : ""}" style="--f:${(100 * pin.frame) / last}%" aria-pressed=${chosen}
       title="Pin at ${pin.frame}: ${says}" aria-label="Pin at frame ${pin.frame}: ${says}"

@@ -52,24 +52,29 @@ export class Inspector extends SessionElement {
       <rigless-range label="Smoothness" track="smooth" .value=${settings.smoothness} .max=${1} .rest=${DEFAULT_SMOOTHNESS}
         low="snappy" high="floaty"
         @range=${this.slid("smoothness")}></rigless-range>
-      <rigless-range label="Energy" track="energy" .value=${settings.energy} .min=${-1} .max=${1} .rest=${0}
+      ${
+        settings.paper
+          ? ""
+          : html`<rigless-range label="Energy" track="energy" .value=${settings.energy} .min=${-1} .max=${1} .rest=${0}
         low="calm" high="cartoon"
-        @range=${this.slid("energy")}></rigless-range>
+        @range=${this.slid("energy")}></rigless-range>`
+      }
       <div class="switches">
-        ${this.renderSwitch("groundContact", "Ground contact", this.contactEffect())}
+        ${settings.paper ? "" : this.renderSwitch("groundContact", "Ground contact", this.contactEffect())}
         ${this.renderSwitch("inPlace", "In place", settings.inPlace ? "Stays on the spot" : "Travels as the dancer does")}
         ${
-          poses.canMirror
+          poses.canMirror && !settings.paper
             ? this.renderSwitch("symmetry", "Symmetry", settings.symmetry ? "Poses teach both sides" : "Poses teach their own side")
             : ""
         }
+        ${this.renderSwitch("paper", "As in the paper", "No weight, accents or swing")}
       </div>
     `;
   }
 
-  private renderSwitch(key: "groundContact" | "inPlace" | "symmetry", label: string, effect: string) {
+  private renderSwitch(key: "groundContact" | "inPlace" | "symmetry" | "paper", label: string, effect: string) {
     const { settings, document } = this.session;
-    return html`<rigless-switch label=${label} effect=${effect} .on=${document.settings[key]}
+    return html`<rigless-switch label=${label} effect=${effect} .on=${document.settings[key] ?? false}
       @switch=${(event: CustomEvent<boolean>) => settings.set(key, event.detail, false)}></rigless-switch>`;
   }
 

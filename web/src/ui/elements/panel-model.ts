@@ -1,6 +1,6 @@
 import { html } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { Axis } from "../../app/project-settings";
+import { type Axis, ModelSettings } from "../../app/model-settings";
 import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base, panel } from "../styles";
@@ -21,7 +21,7 @@ export class ModelPanel extends SessionElement {
 
   protected override render() {
     const { session } = this;
-    const { cast, opening, settings } = session;
+    const { cast, opening } = session;
     const { mesh } = session.document;
     const { report } = session.context.workspace;
     const solid = mesh.solve === "solid";
@@ -47,7 +47,7 @@ export class ModelPanel extends SessionElement {
           : ""
       }
       <div class="more">
-        <button class="btn line" title="Now it looks along ${mesh.facing} of its file" @click=${() => settings.turnModel()}>
+        <button class="btn line" title="Now it looks along ${mesh.facing} of its file" @click=${() => this.settings.turn()}>
           ${icon("turn")}Turn to face forward</button>
         <label class="pair">Up axis <select .value=${mesh.up} @change=${this.setUp}>
           ${AXES.map((axis) => html`<option value=${axis} ?selected=${axis === mesh.up}>${axis.toUpperCase()}</option>`)}</select></label>
@@ -58,7 +58,11 @@ export class ModelPanel extends SessionElement {
     </section>`;
   }
 
-  private readonly setSolid = (event: CustomEvent<boolean>): void => this.session.settings.setSolve(event.detail ? "solid" : "surface");
+  private get settings(): ModelSettings {
+    return new ModelSettings(this.session.context);
+  }
 
-  private readonly setUp = (event: Event): void => this.session.settings.setUp((event.target as HTMLSelectElement).value as Axis);
+  private readonly setSolid = (event: CustomEvent<boolean>): void => this.settings.setSolve(event.detail ? "solid" : "surface");
+
+  private readonly setUp = (event: Event): void => this.settings.setUp((event.target as HTMLSelectElement).value as Axis);
 }

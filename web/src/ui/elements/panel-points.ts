@@ -1,14 +1,17 @@
 import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { DEFAULT_FOLLOW, FOLLOWS, type Driver, type FollowThrough, type Point } from "../../app/points";
+import { DEFAULT_WHOLE_POSE, MOST_REACH, MOST_TURN, PointDetails, type StiffPart, TURNS } from "../../app/point-details";
 import { SessionElement } from "../element";
 import { badge } from "../point-colors";
 import { base, panel } from "../styles";
+import { slider } from "./slider";
 
 /** The keyboard twin of the dots: every point is a button here. */
 @customElement("rigless-panel-points")
 export class PointsPanel extends SessionElement {
-  protected readonly topics = ["document", "selection", "solve", "pairing", "suggestions"] as const;
+  protected readonly topics = ["document", "selection", "solve", "pairing", "suggestions", "frame"] as const;
+  private details: PointDetails | null = null;
   static override styles = [base, panel];
 
   protected override render() {
@@ -22,6 +25,7 @@ export class PointsPanel extends SessionElement {
       ${points.length === 0 ? html`<p class="note">Click a place on the model, then the joint that moves it.</p>` : nothing}
       <ul>${points.map((point, k) => this.renderPoint(point, k + 1, drivers, paired[k]))}</ul>
       ${this.renderSuggested()}
+      ${points.length > 0 ? this.renderStiff() : nothing}
       ${points.length > 0 ? KEYS : nothing}
     </section>`;
   }
@@ -58,17 +62,59 @@ export class PointsPanel extends SessionElement {
         <option value="" ?selected=${driver < 0}>the whole pose</option>
         ${drivers.map(({ name, label }, j) => html`<option value=${name} ?selected=${j === driver}>${label}</option>`)}
       </select></label>
-      ${point.joint === null ? this.renderFollow(point) : nothing}
+      ${point.joint === null ? this.renderFollow(point) : this.renderWhole(point)}
       <label class="pair">Mirrors <select @change=${(event: Event) =>
-        session.points.pairMirror(point.id, (event.target as HTMLSelectElement).value || null)}>
+        this.said.pairMirror(point, (event.target as HTMLSelectElement).value || null)}>
         <option value="" ?selected=${point.mirror === undefined}>nothing</option>
         ${points.map(
           (other) => html`<option value=${other.id} ?selected=${other.id === point.mirror}
             >${other === point ? "itself (in the middle)" : other.name}</option>`,
         )}
       </select></label>
-      <div class="row-acts"><button class="btn" @click=${() => session.points.remove(point.id)}>Delete</button></div>
+      ${this.renderTurns(point)}
+      <div class="row-acts"><button class="btn" ?disabled=${this.said.around(point) !== undefined}
+        @click=${() => this.said.keepStiff(point.position)}>Keep stiff</button
+      ><button class="btn" @click=${() => session.points.remove(point.id)}>Delete</button></div>
     </div>`;
+  }
+
+  private get said(): PointDetails {
+    return (this.details ??= new PointDetails(this.session));
+  }
+
+  private renderWhole(point: Point) {
+    const { wholePose = DEFAULT_WHOLE_POSE } = point;
+    return slider("Listens to", wholePose, { max: 2, rest: DEFAULT_WHOLE_POSE, words: wholeWords(wholePose) }, (value, held) =>
+      this.said.setWhole(point, value, held),
+    );
+  }
+
+  /** A pose may turn a point. */
+  private renderTurns(point: Point) {
+    const turn = this.said.turnOf(point);
+    if (!turn) return nothing;
+    const range = { min: -MOST_TURN, max: MOST_TURN, step: 1 };
+    return html`<p class="note">At frame ${this.session.player.frame}, as a pose:</p>${TURNS.map((label, axis) =>
+      slider(label, turn[axis], { ...range, words: `${Math.round(turn[axis])}°` }, (value, held) =>
+        this.said.setTurn(point, axis, value, held),
+      ),
+    )}`;
+  }
+
+  private renderStiff() {
+    const { pairing } = this.session;
+    return html`<div class="more"><div class="row-acts"><button class="btn" aria-pressed=${pairing.asksPlace}
+      @click=${() => (pairing.asksPlace ? pairing.stop() : this.said.askForStiff())}>Keep a part stiff</button></div>
+      ${this.said.stiff.map((part, n) => this.renderPart(part, n + 1))}</div>`;
+  }
+
+  private renderPart(part: StiffPart, number: number) {
+    const { radius = null } = part;
+    const words = radius === null ? "the whole piece" : `${Math.round(100 * radius)} % of its height`;
+    return html`${slider(`Stiff ${number}`, radius ?? MOST_REACH, { min: 0.02, max: MOST_REACH, rest: 0.15, words }, (value, held) =>
+      this.said.setReach(part, value === MOST_REACH ? null : value, held),
+    )}<div class="row-acts"><button class="btn" aria-label="Soften stiff part ${number}" @click=${() => this.said.soften(part)}
+      >Soften</button></div>`;
   }
 
   /** How a part that no joint moves hangs on the body. */
@@ -87,6 +133,13 @@ export class PointsPanel extends SessionElement {
     const input = event.target as HTMLInputElement;
     if (!this.session.points.set(id, { name: input.value })) input.value = name;
   }
+}
+
+/** What a point's weight of the whole pose comes to. */
+function wholeWords(weight: number): string {
+  if (weight < 0.25) return "its joint alone";
+  if (weight < 0.75) return "its joint, and the body";
+  return weight < 1.25 ? "both alike" : "the body more";
 }
 
 const KEYS = html`<p class="keys"><span><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> move 1 cm</span

@@ -1,10 +1,12 @@
 import { css, html } from "lit";
 import type { TemplateResult } from "lit";
 import { customElement } from "lit/decorators.js";
-import { PIN_KINDS, type Pin } from "../../app/pins";
+import { movingOn, PIN_KINDS, velocityOf, withSpeed } from "../../app/pin-kinds";
+import type { Pin } from "../../app/pins";
 import { actionButton, caps } from "../action-button";
 import { SessionElement } from "../element";
-import { base } from "../styles";
+import { base, panel } from "../styles";
+import { type Option, select } from "./select";
 
 /** What is asked for now: a place, a joint, a pose; or what a pin says. Pencil edge, because it asks. */
 @customElement("rigless-prompt")
@@ -13,12 +15,16 @@ export class Prompt extends SessionElement {
 
   static override styles = [
     base,
+    panel,
     css`
       :host { display: block; margin: var(--s2); }
       .prompt { background: var(--paper); border-radius: var(--r-l); box-shadow: inset 0 0 0 1.5px var(--pencil), var(--lift-1);
         padding: 12px 12px 12px 16px; display: flex; align-items: center; gap: var(--s2); }
       h3 { font: var(--t-strong); }
       p { font: var(--t-small); color: var(--ink-2); }
+      .fields { display: flex; flex-wrap: wrap; gap: 8px; font: var(--t-small); color: var(--ink-2); }
+      .fields input { width: 72px; min-height: var(--hit); padding: 0 8px; border: 0; border-radius: var(--r-m); background: var(--paper);
+        color: var(--ink); font: var(--t-body); box-shadow: inset 0 0 0 var(--stroke) var(--edge); }
       .acts { display: flex; gap: var(--s-half); flex: none; }
       @media (max-width: 719px) { :host { margin: 8px; } }
     `,
@@ -50,15 +56,16 @@ export class Prompt extends SessionElement {
   }
 
   private renderPin(pin: Pin) {
-    const { pins, document, actions } = this.session;
+    const { session } = this;
+    const { pins, document, actions } = session;
     const name = document.points.find(({ id }) => id === pin.point)?.name ?? "The point";
     const { is, means } = PIN_KINDS[pin.kind];
     const others = (Object.keys(PIN_KINDS) as Pin["kind"][]).filter((kind) => kind !== pin.kind);
     return card(
       "Pin",
-      html`<h3>${name} ${is} at frame ${pin.frame}.</h3><p>${means}</p>`,
+      html`<h3>${name} ${is} at frame ${pin.frame}.</h3><p>${means}</p>${this.renderFields(pin)}`,
       html`${others.map(
-        (kind) => html`<button class="btn" ?disabled=${!pins.canBe(pin, kind)} @click=${() => pins.setKind(pin, kind)}
+        (kind) => html`<button class="btn" ?disabled=${!pins.canBe(pin, kind)} @click=${() => this.turnInto(pin, kind)}
           >${PIN_KINDS[kind].make}</button>`,
       )}
         <button class="btn" @click=${() => pins.remove(pin.id)}>Delete</button>
@@ -66,12 +73,44 @@ export class Prompt extends SessionElement {
     );
   }
 
+  private turnInto(pin: Pin, kind: Pin["kind"]): void {
+    const { pins, context } = this.session;
+    if (kind === "moves") pins.change(movingOn(context, pin));
+    else pins.setKind(pin, kind);
+  }
+
+  /** Which point it is level with; how fast it moves on. */
+  private renderFields(pin: Pin) {
+    const { pins, document, context } = this.session;
+    if (pin.kind === "level")
+      return select(
+        "As high as",
+        pin.other ?? "",
+        document.points.filter(({ id }) => id !== pin.point).map(({ id, name }): Option => [id, name]),
+        (other) => pins.change({ ...pin, other }),
+      );
+    const velocity = pin.kind === "moves" ? velocityOf(context, pin) : null;
+    if (!velocity) return "";
+    const changed = (axis: number) => (event: Event) =>
+      pins.change(withSpeed(context, pin, axis, Number((event.target as HTMLInputElement).value) / 100));
+    return html`<span class="fields">${["Across", "Up", "On"].map(
+      (label, axis) => html`<label>${label} <input type="number" step="5" .value=${String(Math.round(100 * velocity[axis]))}
+        @change=${changed(axis)} /></label>`,
+    )}</span>`;
+  }
+
   private renderPairing() {
     const { session } = this;
     const { pairing, selection, actions } = session;
     const { points } = session.document;
     const waiting = points.find((point) => point.id === pairing.waiting);
-    if (selection.panel !== "points" || (!waiting && !pairing.adding)) return "";
+    if (selection.panel !== "points" || !pairing.asks) return "";
+    if (pairing.asksPlace)
+      return card(
+        "Stiff",
+        html`<h3>Click the part that shall keep its shape.</h3><p>A head, a hat, a shell: the rest bends for it.</p>`,
+        html`<button class="btn line" @click=${() => pairing.stop()}>Cancel ${caps(actions.escape)}</button>`,
+      );
     const paired = points.filter((point) => point.joint !== null).length;
     const words = waiting
       ? html`<h3>Click the joint that moves ${waiting.name}.</h3><p>${
