@@ -36,6 +36,8 @@ export interface FilmWish {
   readonly alone: boolean;
   /** Nothing behind; a WebM alone can be so. */
   readonly clear: boolean;
+  /** What is behind instead of the stage: "#rrggbb". */
+  readonly colour: string | null;
   readonly kind: FilmKind;
 }
 
@@ -52,7 +54,7 @@ export type FilmState =
   | { readonly kind: "failed"; readonly why: string };
 
 export class Filming {
-  wish: FilmWish = { frame: FRAMES[0], seconds: SHORTEST, turntable: false, alone: false, clear: false, kind: "mp4" };
+  wish: FilmWish = { frame: FRAMES[0], seconds: SHORTEST, turntable: false, alone: false, clear: false, colour: null, kind: "mp4" };
   state: FilmState = { kind: "wished" };
   /** What this browser can make; empty until that is known. */
   kinds: readonly FilmKind[] = [];
@@ -83,7 +85,8 @@ export class Filming {
     this.stop();
     this.wish = { ...this.wish, ...change };
     if (change.kind && change.kind !== "webm") this.wish = { ...this.wish, clear: false };
-    if (change.clear) this.wish = { ...this.wish, kind: "webm" };
+    if (change.clear) this.wish = { ...this.wish, kind: "webm", colour: null };
+    if (change.colour) this.wish = { ...this.wish, clear: false };
     this.tell({ kind: "wished" });
     void this.look();
   }
@@ -160,8 +163,8 @@ export class Filming {
   }
 
   private shot(shrinks: number): Shot {
-    const { frame, alone, clear } = this.wish;
-    return { width: frame.width / shrinks, height: frame.height / shrinks, alone, clear };
+    const { frame, alone, clear, colour } = this.wish;
+    return { width: frame.width / shrinks, height: frame.height / shrinks, alone, clear, colour };
   }
 
   private tell(state: FilmState): void {

@@ -17,6 +17,8 @@ export interface Shot {
   readonly alone: boolean;
   /** Nothing stands behind: the ground is seen through, and only shadows lie on it. */
   readonly clear: boolean;
+  /** Of what is behind instead of the stage, as CSS has it; null for the stage's own. */
+  readonly colour: string | null;
 }
 
 export interface FilmShot extends Shot {

@@ -17,7 +17,7 @@ import { readClips } from "../../src/io/clips/read-clips";
 import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
-import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
+import type { Shape, StageEvents, StageLook, StagePort, StageView } from "../../src/stage/port";
 import type { FilmShot, Moment, Studio } from "../../src/stage/studio";
 import { Emitter } from "../../src/util/emitter";
 
@@ -112,8 +112,8 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   setInsets(insets: PaperStage["insets"] & object): void {
     this.insets = insets;
   }
-  fit(): void {
-    this.told.push("fit");
+  fit(view?: StageView): void {
+    this.told.push(view ? `fit ${view}` : "fit");
   }
   thumbnail(shape: Shape, size: number): string {
     return `picture of ${shape.length / 3} at ${size}, ${shape.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
