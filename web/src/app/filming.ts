@@ -6,8 +6,9 @@ import { bytes as sizeOf, seconds as sayTime } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Context } from "./context";
 import { errorText } from "./error-words";
-import type { Ports } from "./ports";
+import type { KeptSong, Ports } from "./ports";
 import type { Presenter } from "./presenter";
+import type { Song } from "./song";
 
 export const FRAMES = [
   { name: "Square", width: 1080, height: 1080 },
@@ -39,6 +40,8 @@ export interface FilmWish {
   /** What is behind instead of the stage: "#rrggbb". */
   readonly colour: string | null;
   readonly kind: FilmKind;
+  /** Without the song. */
+  readonly silent: boolean;
 }
 
 export interface Film {
@@ -54,7 +57,16 @@ export type FilmState =
   | { readonly kind: "failed"; readonly why: string };
 
 export class Filming {
-  wish: FilmWish = { frame: FRAMES[0], seconds: SHORTEST, turntable: false, alone: false, clear: false, colour: null, kind: "mp4" };
+  wish: FilmWish = {
+    frame: FRAMES[0],
+    seconds: SHORTEST,
+    turntable: false,
+    alone: false,
+    clear: false,
+    colour: null,
+    kind: "mp4",
+    silent: false,
+  };
   state: FilmState = { kind: "wished" };
   /** What this browser can make; empty until that is known. */
   kinds: readonly FilmKind[] = [];
@@ -66,6 +78,7 @@ export class Filming {
     private readonly context: Context,
     private readonly presenter: Presenter,
     private readonly ports: Pick<Ports, "files">,
+    private readonly music: { readonly song: Song | null },
   ) {
     context.signals.on("document", () => this.stop());
   }
@@ -78,7 +91,12 @@ export class Filming {
 
   show(): void {
     const seconds = Math.min(LONGEST, Math.max(SHORTEST, this.danceSeconds));
-    this.want({ seconds });
+    this.want({ seconds, silent: this.song?.muted ?? false });
+  }
+
+  /** What plays with the dance. */
+  get song(): KeptSong | null {
+    return this.music.song?.kept ?? null;
   }
 
   want(change: Partial<FilmWish>): void {
@@ -119,7 +137,14 @@ export class Filming {
     try {
       const studio = await this.studio();
       const turns = wish.turntable ? Math.max(1, Math.round(wish.seconds / TURN_SECONDS)) : 0;
-      const shot: FilmShot = { ...this.shot(wish.kind === "gif" ? GIF_SHRINKS : 1), kind: wish.kind, frames, fps: FPS, turns };
+      const shot: FilmShot = {
+        ...this.shot(wish.kind === "gif" ? GIF_SHRINKS : 1),
+        kind: wish.kind,
+        frames,
+        fps: FPS,
+        turns,
+        song: wish.silent ? null : (this.song?.bytes ?? null),
+      };
       const onProgress = (done: number): void => tell({ kind: "making", done, of: frames });
       const bytes = await studio.film(shot, (n) => this.momentAt(n, signal), { signal, onProgress });
       tell({ kind: "made", film: { name: `${document.name}.${wish.kind}`, type: TYPES[wish.kind], bytes } });

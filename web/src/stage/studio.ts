@@ -28,6 +28,8 @@ export interface FilmShot extends Shot {
   readonly fps: number;
   /** How often the camera goes around while it lasts; 0: it stays where the person put it. */
   readonly turns: number;
+  /** A song's file, which is heard from its beginning. */
+  readonly song: Uint8Array | null;
 }
 
 export type FilmKind = "mp4" | "webm" | "gif";

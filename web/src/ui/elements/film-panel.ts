@@ -98,6 +98,14 @@ export class FilmPanel extends SessionElement {
             )
           : nothing
       }
+      ${
+        film.song && wish.kind !== "gif"
+          ? choiceRow("Sound", [
+              [film.song.name, !wish.silent, () => film.want({ silent: false })],
+              ["None", wish.silent, () => film.want({ silent: true })],
+            ])
+          : nothing
+      }
       ${this.renderState(film)}
       <div class="acts">
         <button class="btn picture" ?disabled=${making} @click=${() => film.savePicture()}>A picture of this frame</button>
