@@ -1,3 +1,4 @@
+import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
@@ -15,6 +16,10 @@ const shorterStyles = (styles: string): string =>
     .replace(/: /g, ":")
     .replace(/;}/g, "}");
 
+const KEEPER = "service-worker";
+/** Large, and rarely needed: film, and decoders of packed models and pictures. */
+const NOT_AHEAD = /^assets\/(reels|gif-reel|unpack-draco|ktx2|ktx2-worker|basis_transcoder)-[^.]*\.\w+$/;
+
 export default defineConfig({
   base: "./",
   appType: "mpa", // a missing file answers 404, not the page
@@ -30,7 +35,11 @@ export default defineConfig({
     },
     modulePreload: { polyfill: false }, // browsers without it fetch a little later
   },
-  worker: { format: "es" },
+  worker: {
+    format: "es",
+    // A service worker keeps its name: by that a browser knows the next version.
+    rolldownOptions: { output: { entryFileNames: ({ name }) => (name === KEEPER ? `${KEEPER}.js` : "assets/[name]-[hash].js") } },
+  },
   server: { port: 5173, strictPort: true },
   preview: { port: 5173, strictPort: true },
   plugins: [
@@ -57,6 +66,24 @@ export default defineConfig({
       transform: (code, id) => (/\/src\/.*\.ts$/.test(id) ? code.replace(/\bcss(?: = )?`[^`]+`/g, shorterStyles) : null),
       generateBundle(_, bundle) {
         for (const part of Object.values(bundle)) if (part.type === "chunk") part.code = part.code.replace(/\n[ \t\n]+/g, "\n");
+      },
+    },
+    {
+      name: "kept", // tells the service worker which files there are
+      apply: "build",
+      enforce: "post",
+      generateBundle: {
+        order: "post",
+        handler(_, bundle) {
+          const { [`${KEEPER}.js`]: keeper, ...files } = bundle;
+          if (keeper?.type !== "asset") return;
+          const list = Object.entries(files).flatMap(([url, file]) => {
+            if (NOT_AHEAD.test(url)) return [];
+            const content = file.type === "asset" ? file.source : file.code;
+            return [{ url, revision: url.startsWith("assets/") ? null : createHash("sha256").update(content).digest("hex") }];
+          });
+          keeper.source = String(keeper.source).replace("self.__WB_MANIFEST", JSON.stringify(list));
+        },
       },
     },
   ],

@@ -1,14 +1,20 @@
 // Puts everything together: the app with the ports of a page, the elements that show it, and the stage.
 
 import { Session } from "./app/session";
-import { fetchAhead } from "./fetch-ahead";
 import { ports } from "./page/ports";
 import { App } from "./ui/app";
 import { Viewport } from "./viewport/viewport";
 
+/** So long after the first dance there is time for what may be needed later. */
+const LATER_MS = 5_000;
+
 const app = new App();
-app.session = new Session(ports);
+const session = new Session(ports);
+app.session = session;
 app.buildStage = (host) => new Viewport(host);
 document.body.prepend(app);
 addEventListener("hashchange", () => location.reload()); // a link that is pasted where Rigless is open already
-fetchAhead();
+const stop = session.context.workspace.on("performance", () => {
+  stop();
+  setTimeout(() => void import("./page/offline").then(({ prepareOffline }) => prepareOffline(session)).catch(() => undefined), LATER_MS);
+});

@@ -33,6 +33,10 @@ type Fixed =
   | "loop"
   | "speed"
   | "fit"
+  | "threeQuarter"
+  | "side"
+  | "top"
+  | "turn"
   | "help"
   | "escape"
   | "delete";
@@ -74,6 +78,8 @@ export interface Actors {
 
 /** By id; the order is the one in which help lists them. */
 export type Actions = Readonly<Record<ActionId, Action>>;
+
+const VIEWS = "From three quarters, the side, the top";
 
 type Row = Omit<Action, "id" | "keys" | "enabled"> & Partial<Pick<Action, "keys" | "enabled">>;
 
@@ -134,7 +140,17 @@ export function createActions(actors: Actors): Actions {
       run: () => dragging.mirror(),
     },
     ...panelRows(actors),
-    fit: { label: "Fit", help: "Fit the view", keys: ["F"], run: () => presenter.fit() },
+    fit: {
+      label: "Fit",
+      title: "Fit the view, from the front",
+      help: "Fit the view, from the front",
+      keys: ["F"],
+      run: () => presenter.fit(),
+    },
+    threeQuarter: { label: "Three quarters", help: VIEWS, keys: ["Q"], run: () => presenter.fit("three-quarter") },
+    side: { label: "Side", help: VIEWS, keys: ["S"], run: () => presenter.fit("side") },
+    top: { label: "Top", help: VIEWS, keys: ["T"], run: () => presenter.fit("top") },
+    turn: { label: "Goes around", help: "The view goes around, slowly", keys: ["R"], run: () => selection.setTurning(!selection.turning) },
     escape: {
       label: "Let go",
       help: "Let go of a dot, close what is open",

@@ -20,6 +20,7 @@ import { Linking } from "./linking";
 import type { MotionEntry, Motions } from "./motions";
 import type { Ports } from "./ports";
 import type { Presenter } from "./presenter";
+import type { Song } from "./song";
 import type { Sources } from "./sources";
 
 export { PACES, PROFILES, sayHolding };
@@ -30,6 +31,7 @@ export interface ExportHelpers {
   readonly builtins: Builtins;
   readonly presenter: Presenter;
   readonly cast: Cast;
+  readonly song: Song | null;
 }
 
 /** What is taken away. */
@@ -78,7 +80,7 @@ export class Exporting {
     private readonly helpers: ExportHelpers,
     private readonly ports: Pick<Ports, "files" | "buildSkin" | "buildMorphs">,
   ) {
-    this.film = new Filming(context, helpers.presenter, ports);
+    this.film = new Filming(context, helpers.presenter, ports, helpers);
     this.link = new Linking(context, helpers);
   }
 

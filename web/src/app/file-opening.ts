@@ -48,7 +48,9 @@ export class FileOpening {
         await this.motions(sorted.motions, job, gesture);
         if (opened) await this.guess(opened, job);
       }
-      const nothing = !sorted.project && [sorted.models, sorted.motions, sorted.clips].every(({ length }) => length === 0);
+      const [song] = sorted.songs;
+      if (song) await (await this.openers.music()).take({ ...song, name: baseName(song.name) });
+      const nothing = !sorted.project && [sorted.models, sorted.motions, sorted.clips, sorted.songs].every(({ length }) => length === 0);
       for (const problem of sorted.problems) this.steps.refuse(problem, nothing);
       return sorted;
     });

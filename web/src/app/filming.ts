@@ -6,8 +6,9 @@ import { bytes as sizeOf, seconds as sayTime } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Context } from "./context";
 import { errorText } from "./error-words";
-import type { Ports } from "./ports";
+import type { KeptSong, Ports } from "./ports";
 import type { Presenter } from "./presenter";
+import type { Song } from "./song";
 
 export const FRAMES = [
   { name: "Square", width: 1080, height: 1080 },
@@ -36,7 +37,11 @@ export interface FilmWish {
   readonly alone: boolean;
   /** Nothing behind; a WebM alone can be so. */
   readonly clear: boolean;
+  /** What is behind instead of the stage: "#rrggbb". */
+  readonly colour: string | null;
   readonly kind: FilmKind;
+  /** Without the song. */
+  readonly silent: boolean;
 }
 
 export interface Film {
@@ -52,7 +57,16 @@ export type FilmState =
   | { readonly kind: "failed"; readonly why: string };
 
 export class Filming {
-  wish: FilmWish = { frame: FRAMES[0], seconds: SHORTEST, turntable: false, alone: false, clear: false, kind: "mp4" };
+  wish: FilmWish = {
+    frame: FRAMES[0],
+    seconds: SHORTEST,
+    turntable: false,
+    alone: false,
+    clear: false,
+    colour: null,
+    kind: "mp4",
+    silent: false,
+  };
   state: FilmState = { kind: "wished" };
   /** What this browser can make; empty until that is known. */
   kinds: readonly FilmKind[] = [];
@@ -64,6 +78,7 @@ export class Filming {
     private readonly context: Context,
     private readonly presenter: Presenter,
     private readonly ports: Pick<Ports, "files">,
+    private readonly music: { readonly song: Song | null },
   ) {
     context.signals.on("document", () => this.stop());
   }
@@ -76,14 +91,20 @@ export class Filming {
 
   show(): void {
     const seconds = Math.min(LONGEST, Math.max(SHORTEST, this.danceSeconds));
-    this.want({ seconds });
+    this.want({ seconds, silent: this.song?.muted ?? false });
+  }
+
+  /** What plays with the dance. */
+  get song(): KeptSong | null {
+    return this.music.song?.kept ?? null;
   }
 
   want(change: Partial<FilmWish>): void {
     this.stop();
     this.wish = { ...this.wish, ...change };
     if (change.kind && change.kind !== "webm") this.wish = { ...this.wish, clear: false };
-    if (change.clear) this.wish = { ...this.wish, kind: "webm" };
+    if (change.clear) this.wish = { ...this.wish, kind: "webm", colour: null };
+    if (change.colour) this.wish = { ...this.wish, clear: false };
     this.tell({ kind: "wished" });
     void this.look();
   }
@@ -116,7 +137,14 @@ export class Filming {
     try {
       const studio = await this.studio();
       const turns = wish.turntable ? Math.max(1, Math.round(wish.seconds / TURN_SECONDS)) : 0;
-      const shot: FilmShot = { ...this.shot(wish.kind === "gif" ? GIF_SHRINKS : 1), kind: wish.kind, frames, fps: FPS, turns };
+      const shot: FilmShot = {
+        ...this.shot(wish.kind === "gif" ? GIF_SHRINKS : 1),
+        kind: wish.kind,
+        frames,
+        fps: FPS,
+        turns,
+        song: wish.silent ? null : (this.song?.bytes ?? null),
+      };
       const onProgress = (done: number): void => tell({ kind: "making", done, of: frames });
       const bytes = await studio.film(shot, (n) => this.momentAt(n, signal), { signal, onProgress });
       tell({ kind: "made", film: { name: `${document.name}.${wish.kind}`, type: TYPES[wish.kind], bytes } });
@@ -160,8 +188,8 @@ export class Filming {
   }
 
   private shot(shrinks: number): Shot {
-    const { frame, alone, clear } = this.wish;
-    return { width: frame.width / shrinks, height: frame.height / shrinks, alone, clear };
+    const { frame, alone, clear, colour } = this.wish;
+    return { width: frame.width / shrinks, height: frame.height / shrinks, alone, clear, colour };
   }
 
   private tell(state: FilmState): void {

@@ -9,7 +9,8 @@ import type { Cast } from "./cast";
 import type { Context } from "./context";
 import { errorText } from "./error-words";
 import type { JobHandle, Jobs } from "./jobs";
-import type { KeptProject, KeptWork, Ports, ShelfPort } from "./ports";
+import type { KeptProject, KeptSong, KeptWork, Ports, ShelfPort } from "./ports";
+import type { Song } from "./song";
 import type { Sources } from "./sources";
 import type { Thumbnails } from "./thumbnails";
 
@@ -24,6 +25,8 @@ export interface Keepers {
   readonly jobs: Jobs;
   readonly sources: Sources;
   readonly thumbnails: Thumbnails;
+  readonly song: Song | null;
+  music(): Promise<Song>;
   readonly opening: { first(): Promise<boolean> };
   readonly saving: { save(): Promise<void> };
 }
@@ -35,6 +38,7 @@ export class Keeping {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private writing: Promise<void> = Promise.resolve();
   private refused = false;
+  private keptSong: KeptSong | null = null;
   private readonly shelf: Promise<ShelfPort>;
 
   constructor(
@@ -106,6 +110,7 @@ export class Keeping {
     if (!(await this.keepers.opening.first())) return;
     history.touched = false;
     this.keepers.cast.restore([]);
+    await this.restoreSong(null);
     (await this.shelf).release();
     this.become(null);
     if (before)
@@ -135,7 +140,8 @@ export class Keeping {
   flush(): Promise<void> {
     clearTimeout(this.timer);
     const { history } = this.context;
-    if (history.touched && history.unkept) this.writing = this.writing.then(() => this.write());
+    const unkept = (history.touched && history.unkept) || this.song !== this.keptSong;
+    if (unkept) this.writing = this.writing.then(() => this.write());
     return this.writing;
   }
 
@@ -151,6 +157,7 @@ export class Keeping {
       if (this.id === null) this.become(await shelf.begin());
       const work = this.work(this.id ?? "");
       await shelf.put(work);
+      this.keptSong = work.song ?? null;
       this.context.history.markKept(work.steps.present);
       this.ports.memory.kept = true;
       this.refused = false;
@@ -181,7 +188,16 @@ export class Keeping {
       return input && needed ? [{ files, input }] : [];
     });
     const picture = thumbnails.rest ?? "";
-    return { id, name: present.name, changed: Date.now(), picture, version: VERSION, steps, away, models, motions };
+    return { id, name: present.name, changed: Date.now(), picture, version: VERSION, steps, away, models, motions, song: this.song };
+  }
+
+  private get song(): KeptSong | null {
+    return this.keepers.song?.kept ?? null;
+  }
+
+  private async restoreSong(song: KeptSong | null): Promise<void> {
+    this.keptSong = song;
+    if (song || this.song) await (await this.keepers.music()).put(song);
   }
 
   private async restore(work: KeptWork, { signal, progress }: JobHandle): Promise<void> {
@@ -196,6 +212,7 @@ export class Keeping {
     const present = read(work.steps.present);
     this.context.history.restore(current ? { ...work.steps, present } : { past: [], present, future: [] });
     cast.restore(current ? work.away : work.away.map(read));
+    await this.restoreSong(work.song ?? null);
   }
 
   private become(id: string | null): void {

@@ -11,6 +11,7 @@ import type { Guesses } from "./guesses";
 import type { JobHandle, Jobs } from "./jobs";
 import type { Motions } from "./motions";
 import type { NoticeInput } from "./notices";
+import type { Song } from "./song";
 import type { Sources } from "./sources";
 
 /** Who helps to open something. */
@@ -21,6 +22,7 @@ export interface Openers {
   readonly motions: Motions;
   readonly guesses: Guesses;
   readonly sources: Sources;
+  music(): Promise<Song>;
 }
 
 /** From one document to the next, if the engine takes it; and what is said if not. */

@@ -6,9 +6,11 @@ import type { ClockPort } from "./ports";
 export interface PlayerEvents {
   /** The frame to show changed. */
   frame: number;
+  /** Somebody set the playhead. */
+  sought: void;
   /** The end was reached and the beginning comes next. */
   again: void;
-  /** Playing, loop, speed or the length changed. */
+  /** Playing, waiting, loop, speed or the length changed. */
   state: void;
 }
 
@@ -39,9 +41,19 @@ export class Player extends Emitter<PlayerEvents> {
     return this.frames === 0 ? 0 : Math.min(this.frames - 1, Math.floor(this.time * FPS + 1e-6));
   }
 
+  /** Of the dance at its own speed, at the playhead. */
+  get seconds(): number {
+    return this.frame / FPS / this.pace;
+  }
+
+  /** Seconds of one round. */
+  get length(): number {
+    return (this.frames - Number(this.closed)) / FPS / this.pace;
+  }
+
   /** "1.4 s" at the playhead. */
   get clockWords(): string {
-    return seconds(this.frame / FPS / this.pace);
+    return seconds(this.seconds);
   }
 
   setFrames(frames: number): void {
@@ -68,6 +80,12 @@ export class Player extends Emitter<PlayerEvents> {
     this.emit("state", undefined);
   }
 
+  wait(waiting: boolean): void {
+    if (waiting === this.waiting) return;
+    this.waiting = waiting;
+    this.emit("state", undefined);
+  }
+
   toggle(): void {
     if (this.playing) this.pause();
     else this.play();
@@ -91,6 +109,7 @@ export class Player extends Emitter<PlayerEvents> {
     const before = this.frame;
     this.time = Math.max(0, Math.min(this.frames - 1, Math.round(frame))) / FPS;
     if (this.frame !== before) this.emit("frame", this.frame);
+    this.emit("sought", undefined);
   }
 
   /** Pauses and moves by whole frames, around the ends when looping. */

@@ -15,7 +15,7 @@ export interface PickedFile {
   arrayBuffer(): Promise<ArrayBuffer>;
 }
 
-export type FileKind = "any" | "model" | "motion";
+export type FileKind = "any" | "model" | "motion" | "song";
 
 export interface FilesPort {
   /** Asks for files; none if the person thinks better of it. */
@@ -69,6 +69,24 @@ export interface KeptProject {
   readonly picture: string;
 }
 
+/** A song as it was dropped. */
+export interface KeptSong {
+  readonly name: string;
+  readonly bytes: Uint8Array;
+  readonly muted: boolean;
+}
+
+/** A song that can be heard. */
+export interface Sound {
+  readonly seconds: number;
+  readonly playing: boolean;
+  /** Seconds. */
+  readonly at: number;
+  play(at: number, speed: number): void;
+  stop(): void;
+  close(): void;
+}
+
 /** Everything of a project: what was done in it, whoever left its stage, and the files that all of them name. */
 export interface KeptWork extends KeptProject {
   /** Of the document's format. */
@@ -78,6 +96,8 @@ export interface KeptWork extends KeptProject {
   /** Each model's own file first, named as documents name it. */
   readonly models: readonly (readonly NamedFile[])[];
   readonly motions: readonly { readonly files: readonly string[]; readonly input: MotionInput }[];
+  /** Left out by older pages. */
+  readonly song?: KeptSong | null;
 }
 
 /** What the browser keeps between visits. Errors: its storage is full, or turned off. */
@@ -120,6 +140,8 @@ export interface Ports {
   readonly memory: MemoryPort;
   /** Loaded with the first thing to keep. */
   readonly openShelf: () => Promise<ShelfPort>;
+  /** Errors: this browser cannot decode it. */
+  readonly openSound: (bytes: Uint8Array) => Promise<Sound>;
   readonly createEngine: () => Engine;
   /** As io/read-model, wherever it runs. Errors: ModelError; on abort the signal's reason. */
   readonly readModel: (

@@ -1,4 +1,4 @@
-import type { Insets, PointMark, Shape, StagePort } from "../stage/port";
+import type { Insets, PointMark, Shape, StagePort, StageView } from "../stage/port";
 import { describeJoints } from "../skeleton/pair-joints";
 import { pointJoints } from "../sync/pairing";
 import { pointPartners, pointVertices } from "../sync/point-controls";
@@ -87,8 +87,8 @@ export class Presenter {
   }
 
   /** Moves the camera to where it sees all. */
-  fit(): void {
-    this.stage?.fit();
+  fit(view?: StageView): void {
+    this.stage?.fit(view);
   }
 
   /** A small picture of a shape; "" without a stage. */
@@ -165,11 +165,12 @@ export class Presenter {
   }
 
   private look(): void {
-    const { panel, layout } = this.context.selection;
+    const { panel, layout, turning } = this.context.selection;
     const { pairing, coverage, editing } = this.shown;
     this.stage?.setLook({
       mode: panel === "points" || editing?.waiting ? "points" : "pose",
       layout,
+      turning,
       livePair: pairing.waiting,
       asking: coverage.asking !== null,
     });

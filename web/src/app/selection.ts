@@ -11,6 +11,8 @@ export class Selection {
   point: string | null = null;
   panel: PanelName | null = null;
   layout: "side" | "overlay" = "side";
+  /** The view goes around by itself. */
+  turning = false;
   intro = false;
   help = false;
 
@@ -39,6 +41,11 @@ export class Selection {
 
   setLayout(layout: "side" | "overlay"): void {
     this.layout = layout;
+    this.signals.tell("layout");
+  }
+
+  setTurning(turning: boolean): void {
+    this.turning = turning;
     this.signals.tell("layout");
   }
 

@@ -30,6 +30,7 @@ import { ProjectSettings } from "./project-settings";
 import { Saving } from "./saving";
 import { Sources } from "./sources";
 import type { Selection } from "./selection";
+import type { Song } from "./song";
 import type { Signals } from "./signals";
 import { listenToStage } from "./stage-input";
 import { Thumbnails } from "./thumbnails";
@@ -61,12 +62,16 @@ export class Session {
   /** Here once somebody looked at a motion. */
   editing: MotionEditing | null = null;
 
+  /** Here once a song came. */
+  song: Song | null = null;
+
   private kept: Promise<Keeping> | undefined;
 
   constructor(private readonly ports: Ports) {
     this.signals.on("document", () => {
       if (this.history.touched && !this.keeping) void this.keep();
     });
+    this.signals.on("song", () => void this.keep());
     this.jobs.on("change", () => this.signals.tell("jobs"));
     this.sayWhatTheEngineSays();
   }
@@ -116,6 +121,11 @@ export class Session {
   get asks(): boolean {
     const { selection, pairing, coverage, pins } = this;
     return (selection.panel === "points" && pairing.asks) || coverage.asking !== null || pins.chosen !== null || pins.armed;
+  }
+
+  async music(): Promise<Song> {
+    const { Song } = await import("./song");
+    return (this.song ??= new Song(this.context, this.ports));
   }
 
   private async keep(): Promise<Keeping> {

@@ -43,6 +43,8 @@ export interface Topics {
   clips: void;
   /** The file that is to be taken along, or how far it is. */
   export: void;
+  /** Another song plays with the dance, or none, or it is muted or not. */
+  song: void;
   /** The stage was built. */
   stage: void;
   /** The model was put on the stage anew: V x 3, at rest. */

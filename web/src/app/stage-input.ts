@@ -18,9 +18,7 @@ export function listenToStage(
   stage.on("point-move", ({ position }) => dragging.move(position));
   stage.on("point-drop", () => dragging.drop());
   stage.on("point-cancel", () => dragging.cancel());
-  stage.on("point-reach", ({ near }) => {
-    player.waiting = near;
-  });
+  stage.on("point-reach", ({ near }) => player.wait(near));
   stage.on("point-pick", ({ id, on }) => {
     if (on === "model" || !parts.editing?.takeDot(id)) pairing.pick(id, on);
   });

@@ -3,8 +3,9 @@
 /**
  * model: a surface. motion: moves it. skeleton: what a motion needs beside it. project: names a model and a motion.
  * archive: holds other files. picture, part: what a model names beside it.
+ * song: plays with a dance.
  */
-export type FormatKind = "model" | "motion" | "skeleton" | "project" | "archive" | "picture" | "part";
+export type FormatKind = "model" | "motion" | "skeleton" | "project" | "archive" | "picture" | "part" | "song";
 
 export interface Format {
   readonly id: string;

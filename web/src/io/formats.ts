@@ -163,6 +163,10 @@ const OTHERS: readonly Format[] = [
     mediaType: "model/mtl",
     names: (text) => all(text, /^[ \t]*(?:map_\w+|bump|norm)[ \t](.+)$/gim).map((words) => words.split(/\s+/).at(-1) ?? ""),
   },
+  { id: "mp3", kind: "song", words: "MP3", extensions: ["mp3"], mediaType: "audio/mpeg" },
+  { id: "ogg", kind: "song", words: "OGG", extensions: ["ogg", "oga", "opus"], mediaType: "audio/ogg" },
+  { id: "wav", kind: "song", words: "WAV", extensions: ["wav"], mediaType: "audio/wav" },
+  { id: "m4a", kind: "song", words: "M4A", extensions: ["m4a", "aac"], mediaType: "audio/mp4" },
   { id: "bin", kind: "part", words: "BIN", extensions: ["bin"], mediaType: "application/octet-stream" },
 ];
 

@@ -18,6 +18,7 @@ export interface SortedFiles {
   motions: FoundMotion[];
   /** Other files that hold motions for readClips. */
   clips: NamedFile[];
+  songs: NamedFile[];
   /** Everything, zips unpacked. */
   files: NamedFile[];
   /** What was not used and why, in plain words. */
@@ -51,7 +52,7 @@ export async function sortFiles(
     }
   });
   for (const other of projects.slice(1)) problems.push(`${baseName(other.name)} was not opened: one project at a time.`);
-  return { project: projects[0] ?? null, models, moves, motions, clips, files, problems };
+  return { project: projects[0] ?? null, models, moves, motions, clips, songs: of("song"), files, problems };
 }
 
 /** A file without a mesh is a motion. Of several models the first that is nothing else is the model, and the others' clips move it. */

@@ -2,7 +2,8 @@ import type { FileKind, FilesPort } from "../app/ports";
 
 const MODEL = ["model", "picture", "part"] as const;
 const MOTION = ["motion", "skeleton"] as const;
-const KINDS = { any: [...MODEL, ...MOTION, "project", "archive"], model: MODEL, motion: MOTION } as const;
+const SONG = ["song"] as const;
+const KINDS = { any: [...MODEL, ...MOTION, ...SONG, "project", "archive"], model: MODEL, motion: MOTION, song: SONG } as const;
 
 export const files: FilesPort = {
   async pick(kind: FileKind) {

@@ -15,6 +15,7 @@ export const ports: Ports = {
   files,
   memory,
   openShelf: () => import("./shelf").then(({ openShelf }) => openShelf()),
+  openSound: (song) => import("./sound").then(({ openSound }) => openSound(song)),
   createEngine: createBrowserEngine,
   readModel: readModelInWorker,
   readClips: readClipsInWorker,

@@ -5,7 +5,8 @@ import type { KeptProject, KeptWork, ShelfPort } from "../app/ports";
 import type { MotionInput } from "../engine/types";
 
 /** A project whose files lie beside it, each by its content's key. */
-type Stored = Omit<KeptWork, "models" | "motions"> & {
+type Stored = Omit<KeptWork, "models" | "motions" | "song"> & {
+  readonly song?: { name: string; muted: boolean; content: string } | null;
   readonly models: readonly (readonly { name: string; content: string }[])[];
   readonly motions: readonly { files: readonly string[]; content: string }[];
 };
@@ -53,7 +54,9 @@ class Shelf implements ShelfPort {
     const model = (files: Stored["models"][number]) =>
       Promise.all(files.map(async ({ name, content: key }) => ({ name, bytes: await content<Uint8Array>(key) })));
     const motion = async ({ files, content: key }: Stored["motions"][number]) => ({ files, input: await content<MotionInput>(key) });
-    return { ...stored, models: await Promise.all(stored.models.map(model)), motions: await Promise.all(stored.motions.map(motion)) };
+    const { song: sung, models, motions } = stored;
+    const song = sung ? { name: sung.name, muted: sung.muted, bytes: await content<Uint8Array>(sung.content) } : null;
+    return { ...stored, models: await Promise.all(models.map(model)), motions: await Promise.all(motions.map(motion)), song };
   }
 
   async put(work: KeptWork): Promise<void> {
@@ -65,8 +68,10 @@ class Shelf implements ShelfPort {
     };
     const model = (files: KeptWork["models"][number]) =>
       Promise.all(files.map(async ({ name, bytes }) => ({ name, content: await keyOf(bytes) })));
+    const { song } = work;
     const stored: Stored = {
       ...work,
+      song: song ? { name: song.name, muted: song.muted, content: await keyOf(song.bytes) } : null,
       models: await Promise.all(work.models.map(model)),
       motions: await Promise.all(work.motions.map(async ({ files, input }) => ({ files, content: await keyOf(input) }))),
     };
@@ -137,8 +142,8 @@ class Shelf implements ShelfPort {
   }
 }
 
-function contentsOf({ models, motions }: Stored): string[] {
-  return [...models.flat(), ...motions].map(({ content }) => content);
+function contentsOf({ models, motions, song }: Stored): string[] {
+  return [...models.flat(), ...motions, ...(song ? [song] : [])].map(({ content }) => content);
 }
 
 async function digest(value: Uint8Array | MotionInput): Promise<string> {

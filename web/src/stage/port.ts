@@ -41,6 +41,9 @@ export interface PointMark {
   twin?: boolean;
 }
 
+/** From where it is seen. */
+export type StageView = "front" | "three-quarter" | "side" | "top";
+
 /** What the stage shows beside the figures and the points. */
 export interface StageLook {
   /** "points": pair lines show, and a click on the mesh or on a joint picks it. Dots on the model drag in both. */
@@ -51,6 +54,8 @@ export interface StageLook {
   pulse: string | null;
   /** The pair line that follows the pointer starts at this dot. */
   livePair: string | null;
+  /** The camera goes around slowly. */
+  turning: boolean;
   /** The human asks for a pose of the model: drawn in blue pencil. */
   asking: boolean;
   /** Dashed ghost of a shape behind the model, world. */
@@ -102,7 +107,8 @@ export interface StagePort {
   setLook(look: Partial<StageLook>): void;
   /** Where cards float over the stage, in CSS pixels; figures are framed in what is left. */
   setInsets(insets: Insets): void;
-  fit(): void;
+  /** Sees all, from the front unless told otherwise. */
+  fit(view?: StageView): void;
   /** Small picture of a shape, local or world, as a data URL. */
   thumbnail(shape: Shape, size: number): string;
   /** For films of it; not part of the first load. */

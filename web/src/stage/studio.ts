@@ -17,6 +17,8 @@ export interface Shot {
   readonly alone: boolean;
   /** Nothing stands behind: the ground is seen through, and only shadows lie on it. */
   readonly clear: boolean;
+  /** Of what is behind instead of the stage, as CSS has it; null for the stage's own. */
+  readonly colour: string | null;
 }
 
 export interface FilmShot extends Shot {
@@ -26,6 +28,8 @@ export interface FilmShot extends Shot {
   readonly fps: number;
   /** How often the camera goes around while it lasts; 0: it stays where the person put it. */
   readonly turns: number;
+  /** A song's file, which is heard from its beginning. */
+  readonly song: Uint8Array | null;
 }
 
 export type FilmKind = "mp4" | "webm" | "gif";

@@ -14,6 +14,7 @@ const drawings = {
   poses: svg`<path d="M12 3.5 20.5 12 12 20.5 3.5 12Z"/><path d="M12 8.5 15.5 12 12 15.5 8.5 12Z" fill="currentColor"/>`,
   scale: svg`<path d="M4 20V4m0 0h5M4 20h5M4 12h3M4 8h2.5M4 16h2.5"/><path d="M16 4v16m-3.5-12.5L16 4l3.5 3.5m-7 9L16 20l3.5-3.5"/>`,
   close: svg`<path d="m6.5 6.5 11 11m0-11-11 11"/>`,
+  view: svg`<path d="M3 7h11v10H3Zm11 4 7-3.5v9L14 13"/>`,
   fit: svg`<path d="M4 9V4h5m6 0h5v5m0 6v5h-5m-6 0H4v-5"/>`,
   previous: svg`<path d="M18 6v12l-8-6Z" fill="currentColor"/><path d="M6 6.5v11"/>`,
   next: svg`<path d="M6 6v12l8-6Z" fill="currentColor"/><path d="M18 6.5v11"/>`,

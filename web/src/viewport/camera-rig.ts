@@ -3,7 +3,8 @@
 
 import CameraControls from "camera-controls";
 import { Box3, Matrix4, PerspectiveCamera, Quaternion, Raycaster, Sphere, Spherical, Vector2, Vector3, Vector4 } from "three";
-import { AZIMUTH, ELEVATION, FIELD_OF_VIEW, frame, pixelsPerMetre, TARGET_HEIGHT, turned, type Content, type View } from "./framing";
+import type { StageView } from "../stage/port";
+import { AZIMUTH, FIELD_OF_VIEW, frame, pixelsPerMetre, TARGET_HEIGHT, TURNING, turned, VIEWS, type Content, type View } from "./framing";
 
 CameraControls.install({ THREE: { Box3, Matrix4, Quaternion, Raycaster, Sphere, Spherical, Vector2, Vector3, Vector4 } });
 
@@ -28,6 +29,8 @@ export class CameraRig {
   private content: Content = { width: 2.7, height: 1.75, depth: 1 };
   private readonly shift = new Vector2();
   private readonly shiftGoal = new Vector2();
+  /** It goes around by itself. */
+  turning = false;
   /** The user moved the camera: from now on we only step back with figures that come apart. */
   private byHand = false;
   /** There is something in the picture. */
@@ -77,15 +80,16 @@ export class CameraRig {
     this.reframe();
   }
 
-  /** The starting view again. */
-  fit(): void {
+  /** All is seen, from the front as at first, or from elsewhere. */
+  fit(view: StageView = "front"): void {
+    const [around, up] = VIEWS[view];
     this.held = false;
-    this.byHand = false;
+    this.byHand = around !== 0;
     this.distance = 0;
     this.zoom = 1;
     const smooth = this.placed && !this.still;
     void this.controls.setTarget(0, TARGET_HEIGHT, 0, smooth);
-    void this.controls.rotateTo(AZIMUTH, Math.PI / 2 - ELEVATION, smooth);
+    void this.controls.rotateTo(AZIMUTH + around, Math.PI / 2 - up, smooth);
     this.reframe();
   }
 
@@ -112,7 +116,12 @@ export class CameraRig {
 
   /** Moves on by some seconds; true while it has not come to rest. */
   update(seconds: number): boolean {
-    const moving = this.controls.update(seconds);
+    const around = this.turning && this.placed && !this.held;
+    if (around) {
+      this.byHand = true;
+      void this.controls.rotate(TURNING * seconds, 0, false);
+    }
+    const moving = this.controls.update(seconds) || around;
     this.placed ||= this.shown;
     const rest = this.shift.distanceToSquared(this.shiftGoal) < 0.04;
     if (this.still || rest) this.shift.copy(this.shiftGoal);

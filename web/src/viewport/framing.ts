@@ -1,6 +1,6 @@
 // How far the camera stands and how the picture is shifted so that figures fill the free part of the stage. Pixels are CSS pixels.
 
-import type { Insets } from "../stage/port";
+import type { Insets, StageView } from "../stage/port";
 
 export const FIELD_OF_VIEW = 28;
 /** The camera looks at this height over the ground, from a little to the right and above. */
@@ -9,9 +9,21 @@ export const AZIMUTH = 0.1;
 export const NEAREST = 5.2;
 export const ELEVATION = Math.asin((1.5 - TARGET_HEIGHT) / NEAREST);
 
+/** From where: radians further around than AZIMUTH, and upwards. */
+export const VIEWS: Readonly<Record<StageView, readonly [around: number, up: number]>> = {
+  front: [0, ELEVATION],
+  "three-quarter": [0.7, 0.35],
+  side: [Math.PI / 2 - AZIMUTH, ELEVATION],
+  top: [0, Math.PI / 2],
+};
+/** Radians a second of a camera that goes around by itself. */
+export const TURNING = (2 * Math.PI) / 16;
+
 const FEET = 0.85;
 const HEADROOM = 0.08;
 const BREADTH = 0.92;
+/** Metres from the front to the back of figures that stand side by side. */
+const ABREAST = 1;
 const HALF_TANGENT = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
 
 export interface View {
@@ -55,7 +67,8 @@ export function freeRectangle({ width, height, insets }: View): { x: number; y: 
 export function frame(view: View, content: Content): Framing {
   const free = freeRectangle(view);
   const rise = content.height * Math.cos(ELEVATION) * view.height;
-  const tall = rise / (2 * HALF_TANGENT * (FEET - HEADROOM) * free.height);
+  const nearer = (content.depth - ABREAST) / 2;
+  const tall = rise / (2 * HALF_TANGENT * (FEET - HEADROOM) * free.height) + nearer;
   const broad = (content.width * view.height) / (2 * HALF_TANGENT * BREADTH * free.width) + content.depth / 2;
   const distance = Math.max(NEAREST, tall, broad);
   const feetDepth = distance + TARGET_HEIGHT * Math.sin(ELEVATION);

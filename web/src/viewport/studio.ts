@@ -1,5 +1,6 @@
 // Films and pictures of the stage, drawn frame by frame on its own canvas at the film's size: the same scene, on the same card.
 
+import { Color } from "three";
 import { nextTask } from "../util/next-task";
 import type { FilmCall, FilmKind, FilmShot, Moment, Shot, Studio } from "../stage/studio";
 import type { CameraRig } from "./camera-rig";
@@ -104,9 +105,11 @@ export class StageStudio implements Studio {
     const { background } = scene;
     const { width } = human;
     const grid = ground.group.children[0];
+    const plain = shot.clear || shot.colour !== null;
+    const behind = shot.colour === null ? null : new Color(shot.colour);
     const dress = (on: boolean): void => {
-      scene.background = on && shot.clear ? null : background;
-      if (grid) grid.visible = !(on && shot.clear);
+      scene.background = on && plain ? behind : background;
+      if (grid) grid.visible = !(on && plain);
       human.group.visible = !(on && shot.alone);
       scenery.setWidth(human, on && shot.alone ? 0 : width); // and the stage begins where the figures are
     };
@@ -154,7 +157,7 @@ export class StageStudio implements Studio {
     scenery.setWidth(scenery.model, scenery.model.width);
   }
 
-  private draw({ width, height, clear }: Shot, { camera, distance }: FilmCamera, seconds: number): void {
+  private draw({ width, height, clear, colour }: Shot, { camera, distance }: FilmCamera, seconds: number): void {
     const { scenery } = this.stage;
     const { renderer } = scenery;
     this.hold(); // a window that changed its size gave the stage back to itself
@@ -164,7 +167,7 @@ export class StageStudio implements Studio {
       const ratio = Math.max(1, Math.floor(Math.min(width, height) / SCREEN));
       scenery.resize(width / ratio, height / ratio, ratio);
     }
-    scenery.render(camera, clear ? NO_FOG : distance);
+    scenery.render(camera, clear || colour !== null ? NO_FOG : distance);
   }
 }
 

@@ -1,6 +1,6 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
-import type { DrawnHuman, DrawnModel, Insets, PointMark, Shape, StageEvents, StageLook, StagePort } from "../stage/port";
+import type { DrawnHuman, DrawnModel, Insets, PointMark, Shape, StageEvents, StageLook, StagePort, StageView } from "../stage/port";
 import type { Studio } from "../stage/studio";
 import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
@@ -121,10 +121,11 @@ export class Viewport implements StagePort {
     this.scenery.beginAgain();
   }
 
-  setLook({ mode, layout, pulse, livePair, asking, ghost, note }: Partial<StageLook>): void {
+  setLook({ mode, layout, pulse, livePair, turning, asking, ghost, note }: Partial<StageLook>): void {
     const { annotations, figures } = this;
     if (mode !== undefined) annotations.mode = mode;
     if (livePair !== undefined) annotations.live = livePair;
+    if (turning !== undefined) this.rig.turning = turning;
     if (note !== undefined) annotations.note = note;
     if (pulse !== undefined) annotations.overlay.pulse(pulse);
     if (asking !== undefined) figures.setAsking(asking);
@@ -141,8 +142,8 @@ export class Viewport implements StagePort {
     this.invalidate();
   }
 
-  fit(): void {
-    this.rig.fit();
+  fit(view?: StageView): void {
+    this.rig.fit(view);
     this.invalidate();
   }
 

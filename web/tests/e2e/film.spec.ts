@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { type Download, expect, type Locator, type Page, test } from "@playwright/test";
 import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
-import { documentOf, open, pause, pointAt, watchErrors } from "./page";
+import { documentOf, drop, open, pause, pointAt, watchErrors } from "./page";
 
 test.setTimeout(400_000); // a thousand by a thousand pixels, sixty times, without a graphics card
 const DRAWN = { timeout: 300_000 };
@@ -33,7 +33,29 @@ async function read(download: Download) {
   const { packetCount, averagePacketRate } = await track.computePacketStats();
   const { codec, displayWidth, displayHeight } = track;
   const seconds = Math.round(100 * (await track.computeDuration())) / 100;
-  return { codec, size: [displayWidth, displayHeight], frames: packetCount, fps: Math.round(averagePacketRate), seconds };
+  const audio = await input.getPrimaryAudioTrack();
+  const sound = audio && { codec: audio.codec, seconds: Math.round(await audio.computeDuration()) };
+  return { codec, size: [displayWidth, displayHeight], frames: packetCount, fps: Math.round(averagePacketRate), seconds, sound };
+}
+
+/** A second of a tone. */
+function wav(): Buffer {
+  const rate = 8000;
+  const bytes = Buffer.alloc(44 + rate, 128);
+  bytes.write("RIFF", 0);
+  bytes.writeUInt32LE(36 + rate, 4);
+  bytes.write("WAVEfmt ", 8);
+  bytes.writeUInt32LE(16, 16);
+  bytes.writeUInt16LE(1, 20);
+  bytes.writeUInt16LE(1, 22);
+  bytes.writeUInt32LE(rate, 24);
+  bytes.writeUInt32LE(rate, 28);
+  bytes.writeUInt16LE(1, 32);
+  bytes.writeUInt16LE(8, 34);
+  bytes.write("data", 36);
+  bytes.writeUInt32LE(rate, 40);
+  for (let k = 0; k < rate; k++) bytes[44 + k] = 128 + Math.round(60 * Math.sin((2 * Math.PI * 440 * k) / rate));
+  return bytes;
 }
 
 /** The film in the panel as the browser decodes it, at some seconds: a few colours of each moment, with their alpha. */
@@ -83,7 +105,7 @@ test("a film is an MP4 of 30 frames a second, and the page is as it was", async 
   expect(await documentOf(page)).toEqual(before.document);
   const download = await saved(page, panel);
   expect(download.suggestedFilename()).toBe("Cactus.mp4");
-  expect(await read(download)).toEqual({ codec: "avc", size: [1080, 1080], frames: 60, fps: 30, seconds: 2 });
+  expect(await read(download)).toEqual({ codec: "avc", size: [1080, 1080], frames: 60, fps: 30, seconds: 2, sound: null });
   const [first, later] = await seen(panel.getByLabel("The film"), [0.02, 1.2]);
   expect(first!.colours).toBeGreaterThan(100);
   expect(later!.colours).toBeGreaterThan(100);
@@ -93,9 +115,13 @@ test("a film is an MP4 of 30 frames a second, and the page is as it was", async 
   expect(errors).toEqual([]);
 });
 
-test("a WebM may be transparent, and shows the model alone", async ({ page }) => {
+test("a WebM may be transparent, shows the model alone, and is heard", async ({ page }) => {
   const errors = watchErrors(page);
   await open(page);
+  await drop(page, [{ name: "noise.mp3", bytes: Buffer.from("no song") }]);
+  await expect(page.getByText("noise.mp3 cannot be played by this browser.")).toBeVisible();
+  await drop(page, [{ name: "tone.wav", bytes: wav() }]);
+  await expect(page.getByText("tone.wav plays with the dance.")).toBeVisible();
   const panel = await filming(page);
   await panel.getByRole("button", { name: "Cactus", exact: true }).click();
   await panel.getByRole("button", { name: "Transparent" }).click();
@@ -103,7 +129,13 @@ test("a WebM may be transparent, and shows the model alone", async ({ page }) =>
   await made(panel);
   const download = await saved(page, panel);
   expect(download.suggestedFilename()).toBe("Cactus.webm");
-  expect(await read(download)).toMatchObject({ codec: "vp9", size: [1080, 1080], frames: 60, seconds: 2 });
+  expect(await read(download)).toMatchObject({
+    codec: "vp9",
+    size: [1080, 1080],
+    frames: 60,
+    seconds: 2,
+    sound: { codec: "opus", seconds: 2 },
+  });
   for (const { corner, middle, colours } of await seen(panel.getByLabel("The film"), [0.02, 1.2])) {
     expect(corner).toBe(0);
     expect(middle).toBe(255);

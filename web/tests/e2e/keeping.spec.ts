@@ -87,9 +87,12 @@ test("where the browser keeps nothing, that is said once, with what to do", asyn
 });
 
 test("Save does not depend on the network once the page has danced for a while", async ({ page, context }) => {
-  const last = page.waitForResponse(/\/carried-body-[^/]*\.js$/);
+  const fetched: Promise<unknown>[] = [];
+  page.on("request", (request) => fetched.push(request.response().then((response) => response?.finished())));
+  const saving = page.waitForResponse(/\/project-saving-[^/]*\.js$/);
   await open(page);
-  await last;
+  await saving;
+  await Promise.all(fetched);
   await context.setOffline(true);
   await rename(page, "Far away");
   const download = page.waitForEvent("download");

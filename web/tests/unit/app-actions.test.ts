@@ -114,6 +114,10 @@ test("each key of the table does what it says", async () => {
   }
   press("fit");
   expect(stage.told).toContain("fit");
+  for (const view of ["threeQuarter", "side", "top"] as const) press(view);
+  expect(stage.told.slice(-3)).toEqual(["fit three-quarter", "fit side", "fit top"]);
+  press("turn");
+  expect(stage.look.turning).toBe(true);
   press("help");
   expect(selection.help).toBe(true);
   press("escape");

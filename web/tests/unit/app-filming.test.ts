@@ -22,7 +22,18 @@ test("a film is the dance over and over, frame by frame, and the page plays on f
   player.play();
   await film.make();
   const [{ shot, moments }] = stage.films;
-  expect(shot).toEqual({ width: 1080, height: 1080, alone: false, clear: false, kind: "mp4", frames: 60, fps: 30, turns: 0 });
+  expect(shot).toEqual({
+    width: 1080,
+    height: 1080,
+    alone: false,
+    clear: false,
+    colour: null,
+    kind: "mp4",
+    frames: 60,
+    fps: 30,
+    turns: 0,
+    song: null,
+  });
   expect(moments.map(({ shape }) => shape)).toEqual(Array.from({ length: 60 }, (_, n) => workspace.cache.at(n % 30)?.shape));
   expect(moments.flatMap(({ again }, n) => (again ? [n] : []))).toEqual([30]);
   expect(moments[7].pose).toEqual(session.presenter.humanPose(7));
@@ -51,6 +62,11 @@ test("only a WebM is transparent; a turn of the camera takes some eight seconds"
   expect(stage.films[0].shot).toMatchObject({ width: 1080, height: 1920, kind: "webm", clear: true, alone: true, frames: 510, turns: 2 });
   film.want({ kind: "mp4" });
   expect(film.wish.clear).toBe(false);
+  film.want({ clear: true });
+  film.want({ colour: "#00b140" });
+  expect(film.wish).toMatchObject({ clear: false, colour: "#00b140" });
+  film.want({ clear: true });
+  expect(film.wish.colour).toBeNull();
 });
 
 test("what is called off, changed or closed makes no film", async () => {

@@ -6,7 +6,7 @@ import { afterEach, expect } from "vitest";
 import characters from "../../assets/characters/index.json";
 import motions from "../../assets/motions/index.json";
 import { Context } from "../../src/app/context";
-import type { AssetsPort, ClockPort, FileKind, KeptWork, PickedFile, Ports, ShelfPort } from "../../src/app/ports";
+import type { AssetsPort, ClockPort, FileKind, KeptWork, PickedFile, Ports, ShelfPort, Sound } from "../../src/app/ports";
 import { Session } from "../../src/app/session";
 import type { Topics } from "../../src/app/signals";
 import { parseProject } from "../../src/document/project";
@@ -17,7 +17,7 @@ import { readClips } from "../../src/io/clips/read-clips";
 import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
-import type { Shape, StageEvents, StageLook, StagePort } from "../../src/stage/port";
+import type { Shape, StageEvents, StageLook, StagePort, StageView } from "../../src/stage/port";
 import type { FilmShot, Moment, Studio } from "../../src/stage/studio";
 import { Emitter } from "../../src/util/emitter";
 
@@ -112,8 +112,8 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   setInsets(insets: PaperStage["insets"] & object): void {
     this.insets = insets;
   }
-  fit(): void {
-    this.told.push("fit");
+  fit(view?: StageView): void {
+    this.told.push(view ? `fit ${view}` : "fit");
   }
   thumbnail(shape: Shape, size: number): string {
     return `picture of ${shape.length / 3} at ${size}, ${shape.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
@@ -180,7 +180,28 @@ export class TestShelf {
   }
 }
 
+/** A song on paper: what it was told, and where it is. */
+export class PaperSound implements Sound {
+  playing = false;
+  at = 0;
+  speed = 1;
+  closed = false;
+  constructor(readonly seconds: number) {}
+  play(at: number, speed: number): void {
+    Object.assign(this, { playing: true, at, speed });
+  }
+  stop(): void {
+    this.playing = false;
+  }
+  close(): void {
+    this.stop();
+    this.closed = true;
+  }
+}
+
 export interface TestPorts extends Ports {
+  /** Every song that was opened. Their first byte is how long they last; 0 cannot be played. */
+  readonly sounds: PaperSound[];
   readonly clock: Clock;
   readonly shelf: TestShelf;
   /** What was offered as a download. */
@@ -207,6 +228,13 @@ export function testPorts(shelf = new TestShelf()): TestPorts {
         return ports.chosen;
       },
       download: (name, bytes, type) => ports.downloads.push({ name, bytes, type }),
+    },
+    sounds: [],
+    openSound: async ([seconds]) => {
+      if (!seconds) throw new Error("It cannot be decoded.");
+      const sound = new PaperSound(seconds);
+      ports.sounds.push(sound);
+      return sound;
     },
     createEngine: () => new EngineClient(channelWorker(), wasm("rigless.wasm"), async () => wasm("shape-analysis.wasm")),
     buildSkin: buildSkinInNode,

@@ -28,7 +28,7 @@ export class DropOverlay extends LitElement {
 
   protected override render() {
     return html`<div class="drop"></div>
-      <div class="words"><h2>Drop it anywhere.</h2><p>Models, motions, projects: all at once, in any order.</p></div>
+      <div class="words"><h2>Drop it anywhere.</h2><p>Models, motions, a song, projects: all at once, in any order.</p></div>
       <div class="card left">${icon("file")}<span><b>A model</b><span>${TAKEN.models}</span></span></div>
       <div class="card right">${icon("file")}<span><b>A motion</b><span>${TAKEN.motions}</span></span></div>`;
   }

@@ -8,6 +8,9 @@ import { choiceRow, choiceStyle, progressBar } from "./choice-row";
 
 const KINDS = { mp4: "MP4", webm: "WebM", gif: "GIF" } as const;
 
+/** What film editors take out of a picture. */
+const GREEN = "#00b140";
+
 /** A film of the dance, or a picture of this frame. */
 @customElement("rigless-film")
 export class FilmPanel extends SessionElement {
@@ -29,6 +32,7 @@ export class FilmPanel extends SessionElement {
       .length { display: grid; grid-template-columns: minmax(0, 1fr) 48px; gap: 8px; align-items: center; }
       .length input { width: 100%; margin: 0; min-height: var(--hit); accent-color: var(--ink); border-radius: var(--r-full); }
       .length output { font: var(--t-body); color: var(--ink); text-align: right; }
+      #colour { width: 64px; min-height: max(32px, var(--hit)); padding: 2px; border: 0; border-radius: var(--r-s); background: none; }
       .acts { flex-wrap: wrap; }
       .acts .picture { margin-right: auto; }
       @media (max-width: 719px) { .look, .look > :is(img, video) { height: 168px; } }
@@ -70,11 +74,18 @@ export class FilmPanel extends SessionElement {
       ${choiceRow(
         "Behind",
         [
-          ["The stage", !wish.clear, () => film.want({ clear: false })],
+          ["The stage", !wish.clear && wish.colour === null, () => film.want({ clear: false, colour: null })],
+          ["A colour", wish.colour !== null, () => film.want({ colour: wish.colour ?? GREEN })],
           ["Transparent", wish.clear, () => film.want({ clear: true })],
         ],
         unable,
       )}
+      ${
+        wish.colour === null
+          ? nothing
+          : html`<div class="row"><label for="colour">Colour</label><input id="colour" type="color" .value=${wish.colour}
+              @change=${(event: Event) => film.want({ colour: (event.target as HTMLInputElement).value })} /></div>`
+      }
       <div class="row"><label for="length">Lasts</label><div class="length">
         <input id="length" type="range" min=${SHORTEST} max=${LONGEST} step="0.1" .value=${String(length)}
           aria-valuetext=${seconds(length)} @change=${this.setLength} @input=${this.slide} />
@@ -85,6 +96,14 @@ export class FilmPanel extends SessionElement {
               "Kind",
               kinds.map((kind) => [KINDS[kind], wish.kind === kind, () => film.want({ kind })]),
             )
+          : nothing
+      }
+      ${
+        film.song && wish.kind !== "gif"
+          ? choiceRow("Sound", [
+              [film.song.name, !wish.silent, () => film.want({ silent: false })],
+              ["None", wish.silent, () => film.want({ silent: true })],
+            ])
           : nothing
       }
       ${this.renderState(film)}

@@ -12,3 +12,4 @@ import "./panel-points";
 import "./panel-poses";
 import "./prompt";
 import "./take";
+import "./views";

@@ -3,6 +3,7 @@ import { customElement } from "lit/decorators.js";
 import { actionButton } from "../action-button";
 import { SessionElement } from "../element";
 import { base } from "../styles";
+import { views } from "./views";
 
 /** What a phone has no room for in its bars. */
 @customElement("rigless-menu")
@@ -37,8 +38,9 @@ export class Menu extends SessionElement {
     const { actions, player, selection } = this.session;
     const over = selection.layout === "overlay";
     return html`<div @click=${() => this.hidePopover()}>
-        ${[actions.open, actions.save, actions.fit, actions.help].map((action) => actionButton(action))}
+        ${[actions.open, actions.save, actions.help].map((action) => actionButton(action))}
       </div>
+      <div @click=${() => this.hidePopover()}>${views(this.session)}</div>
       <div>
         ${actionButton(actions.loop, { pressed: player.loop })}
         ${actionButton(actions.speed, { after: html` ${player.speed}×` })}

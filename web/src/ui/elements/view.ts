@@ -17,9 +17,17 @@ export class ViewToggle extends SessionElement {
       div { display: flex; }
       .btn { min-height: 28px; border-radius: 8px; font: var(--t-small); padding: 0 10px; }
       .btn[aria-pressed="true"] { background: var(--well); font-weight: 600; }
+      rigless-views { inset: var(--at); }
       @media (pointer: coarse) { .btn { min-height: 44px; } }
     `,
   ];
+
+  /** Its list stands over it, at the right. */
+  private readonly place = (): void => {
+    void import("./late");
+    const { right, top } = this.getBoundingClientRect();
+    this.style.setProperty("--at", `auto ${innerWidth - right}px ${innerHeight - top + 4}px auto`);
+  };
 
   protected override render() {
     const { actions, selection } = this.session;
@@ -28,6 +36,7 @@ export class ViewToggle extends SessionElement {
     return html`<div role="group" aria-label="View">
       ${choice("side", "Side by side")}${choice("overlay", "Overlay")}
       ${actionButton(actions.fit, { class: "btn icon", drawing: icon("fit") })}
-    </div>`;
+      <button class="btn icon" aria-label="Views" title="Views" popovertarget="views" @click=${this.place}>${icon("view")}</button>
+    </div><rigless-views id="views" popover .session=${this.session}></rigless-views>`;
   }
 }
