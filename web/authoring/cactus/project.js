@@ -61,8 +61,8 @@ export const POSES = [
     moves: {
       top: [0, 0.28, -0.03],
       middle: [0, 0.07, 0.01],
-      "right-arm": [0, 0.4, 0.02],
-      "left-arm": [0, 0.34, 0.02],
+      "right-arm": [0.05, 0.42, 0.02],
+      "left-arm": [-0.05, 0.38, 0.02],
       "right-edge": [0.06, 0, 0],
       "left-edge": [-0.06, 0, 0],
     },
@@ -114,19 +114,19 @@ export const POSES = [
     id: "wave", // leans back, the whole right arm up
     motion: "wave",
     seconds: 1.3,
-    moves: { top: [0.15, 0.01, -0.2], middle: [0.03, 0.01, 0.04], "right-arm": [0.04, 0.8, -0.12], "left-arm": [0.06, 0.12, 0.14] },
+    moves: { top: [0.15, 0.01, -0.2], middle: [0.03, 0.01, 0.04], "right-arm": [0.06, 0.68, -0.1], "left-arm": [0.06, 0.12, 0.14] },
   },
   {
     id: "kick", // thrown back, the right edge of the pot high in front
     motion: "kick",
     seconds: 1.16,
-    moves: { top: [0.08, -0.02, -0.34], middle: [0.05, -0.01, 0.02], "left-arm": [0.06, 0.4, 0.22], "right-arm": [-0.18, 0.04, -0.16], "right-edge": [0.02, 0.2, 0.22], "left-edge": [-0.02, 0, 0] },
+    moves: { top: [0.08, -0.02, -0.3], middle: [0.05, -0.01, 0.02], "left-arm": [0.06, 0.36, 0.26], "right-arm": [-0.2, 0.04, -0.2], "right-edge": [0.02, 0.14, 0.16], "left-edge": [-0.02, 0, 0] },
   },
   {
     id: "turn", // arms wide
     motion: "turn",
     seconds: 1.4,
-    moves: { top: [0.02, -0.03, -0.12], middle: [0.02, -0.02, 0], "left-arm": [0.3, 0.22, -0.28], "right-arm": [-0.3, 0.42, -0.02], "right-edge": [0.02, 0.08, -0.04] },
+    moves: { top: [0.03, -0.05, -0.17], middle: [0.02, -0.02, 0], "left-arm": [0.22, 0.06, -0.22], "right-arm": [-0.24, 0.2, -0.02], "right-edge": [0.02, 0.08, -0.04] },
   },
   {
     id: "sneak", // the left edge in the air, arms like paws

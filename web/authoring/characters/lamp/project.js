@@ -21,11 +21,20 @@ export const POSES = [
     head: [0.24, 0.02, 0], chin: [0.1, 0.06, 0.03], nape: [0.15, 0.04, 0], elbow: [0.08, 0.03, 0], "left-edge": [-0.02, -0.02, 0], "right-edge": [0.02, 0.08, 0],
   } },
   { id: "crouch", motion: "jump", seconds: 0.74, moves: { head: [0, -0.46, 0.2], chin: [0, -0.42, 0.04], nape: [0, -0.34, 0.06], elbow: [0, -0.2, -0.14] } },
+  { id: "strike-left", motion: "walk", seconds: 0, moves: { // shuffles, the shade looks where it goes
+    head: [0.06, 0.02, 0.14], chin: [0.02, -0.01, 0.07], nape: [0.04, 0.03, 0.1], elbow: [0.01, 0, 0.02], "left-edge": [0, 0, 0.15], "right-edge": [0, 0, -0.13],
+  } },
+  { id: "pass-right", motion: "walk", seconds: 0.3, moves: { // rolls over its left edge
+    head: [0.16, -0.05, 0], chin: [0.05, -0.01, 0.02], nape: [0.1, -0.04, 0], elbow: [0.03, -0.01, 0], "right-edge": [0.03, 0.12, -0.02], "left-edge": [0, 0, 0.02],
+  } },
   { id: "step-left", motion: "walk", seconds: 0.97, moves: {
-    head: [-0.13, 0, 0.07], chin: [-0.02, 0.01, 0.04], nape: [-0.08, 0.01, 0.04], elbow: [-0.04, 0.01, 0.02], "left-edge": [-0.02, 0.09, 0.12], "right-edge": [0, 0, -0.03],
+    head: [-0.18, -0.05, 0.04], chin: [-0.02, 0.01, 0.04], nape: [-0.11, -0.04, 0.02], elbow: [-0.04, 0.01, 0.02], "left-edge": [-0.03, 0.11, 0.1], "right-edge": [0, 0, -0.06],
   } },
   { id: "run", motion: "run", seconds: 0.07, moves: { // gallops: the base kicks out behind, the shade ahead
-    head: [0, 0.07, 0.2], chin: [0, 0.06, 0.1], nape: [0, 0.07, 0.12], elbow: [0, 0.05, 0.03], "left-edge": [0, 0.08, -0.13], "right-edge": [0, 0.04, 0.11],
+    head: [0, 0.08, 0.22], chin: [0, 0.08, 0.12], nape: [0, 0.08, 0.12], elbow: [0, 0.05, 0.02], "left-edge": [-0.02, 0.14, -0.28], "right-edge": [0.02, 0.06, 0.28],
+  } },
+  { id: "run-stands", motion: "run", seconds: 0.25, moves: { // folds over one edge
+    head: [-0.05, -0.16, 0.2], chin: [-0.03, -0.14, 0.1], nape: [-0.05, -0.12, 0.06], elbow: [-0.03, -0.07, -0.04], "left-edge": [-0.02, 0.14, 0.06], "right-edge": [0, 0, -0.06],
   } },
   { id: "point", motion: "disco", seconds: 0.75, moves: { // cocks its head
     head: [-0.12, 0.01, -0.02], chin: [0.04, 0.03, 0.02], nape: [-0.05, 0.02, 0], elbow: [0.05, 0.01, 0], "left-edge": [0.04, 0, 0], "right-edge": [0, 0.04, 0.03],

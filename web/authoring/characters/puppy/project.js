@@ -22,7 +22,7 @@ export const POSES = [
   } },
   { id: "launch", motion: "hop", seconds: 2.47, moves: { head: [0, 0.13, -0.02], chest: [0, 0.1, -0.01], hips: [0, 0.05, 0.03], ear: [0.02, 0.08, 0.06], tail: [0, -0.08, -0.04] } },
   { id: "stretch", motion: "hop", seconds: 2.76, moves: { // rears in the air, paws forward
-    head: [0, 0.18, -0.06], chest: [0, 0.15, -0.03], hips: [0, 0.05, 0.02], ear: [0.42, 0.56, -0.06], tail: [0, -0.16, -0.08], "left-fore": [0.02, 0.2, 0.14], "right-fore": [-0.02, 0.2, 0.14], hind: [0.02, -0.02, -0.1],
+    head: [0, 0.18, -0.06], chest: [0, 0.15, -0.03], hips: [0, 0.05, 0.02], ear: [0.36, 0.5, -0.06], tail: [0, -0.16, -0.08], "left-fore": [0.02, 0.2, 0.14], "right-fore": [-0.02, 0.2, 0.14], hind: [0.02, -0.02, -0.1],
   } },
   { id: "touchdown", motion: "hop", seconds: 3.03, moves: {
     head: [0, 0.06, 0.04], chest: [0, 0.04, 0.02], hips: [0, 0.03, 0], ear: [0.46, 0.34, -0.02], tail: [0, 0.06, 0.02], "left-fore": [0, 0.03, 0.06], "right-fore": [0, 0.03, 0.06],
@@ -31,14 +31,14 @@ export const POSES = [
     head: [0, -0.32, 0.16], chest: [0, -0.24, 0.05], hips: [0, -0.2, -0.02], ear: [0.18, -0.1, -0.16], tail: [0, -0.02, 0.06], "left-fore": [0.04, 0, 0.05], "right-fore": [-0.04, 0, 0.05], hind: [0.04, 0, -0.02],
   } },
   { id: "soars", motion: "jump", seconds: 1.27, moves: { // a star with ears
-    head: [0, 0.2, -0.08], chest: [0, 0.15, -0.03], hips: [0, 0.07, 0.03], ear: [0.4, 0.6, -0.1], tail: [0, -0.16, -0.08], "left-fore": [0.04, 0.24, 0.2], "right-fore": [-0.04, 0.24, 0.2], hind: [0.04, 0, -0.14],
+    head: [0, 0.2, -0.08], chest: [0, 0.15, -0.03], hips: [0, 0.07, 0.03], ear: [0.36, 0.54, -0.1], tail: [0, -0.16, -0.08], "left-fore": [0.04, 0.24, 0.2], "right-fore": [-0.04, 0.24, 0.2], hind: [0.04, 0, -0.14],
   } },
   { id: "lean-left", motion: "hop", seconds: 0.84, moves: {
     head: [0.16, 0.05, 0], chest: [0.09, 0.04, 0], hips: [0.04, 0.04, 0], "left-ear": [0.5, 0.5, 0], "right-ear": [-0.22, 0.1, 0], tail: [-0.22, 0.02, 0.02],
     "left-fore": [0, 0.01, 0], "right-fore": [0, 0.09, 0.03], "left-hind": [0, 0, 0], "right-hind": [0, 0.07, -0.03],
   } },
   { id: "strike-left", motion: "walk", seconds: 0, moves: { // a trot: across, hind and fore far apart
-    head: [0.03, -0.05, 0.07], chest: [0.02, -0.03, 0.03], hips: [0.02, -0.05, 0.01], "left-ear": [0.02, -0.02, -0.12], "right-ear": [-0.02, 0.06, 0.06], tail: [-0.2, 0, 0],
+    head: [0.03, -0.1, 0.07], chest: [0.02, -0.05, 0.03], hips: [0.02, -0.05, 0.01], "left-ear": [0.02, -0.02, -0.12], "right-ear": [-0.02, 0.06, 0.06], tail: [-0.2, 0, 0],
     "left-hind": [0.02, 0.02, 0.2], "right-hind": [0, 0.06, -0.2], "left-fore": [0, 0.06, -0.14], "right-fore": [0, 0.02, 0.26],
   } },
   { id: "pass-right", motion: "walk", seconds: 0.3, moves: {
@@ -51,7 +51,7 @@ export const POSES = [
   } },
   { id: "run", motion: "run", seconds: 0.07, moves: { // flies long, ears streaming
     head: [0, 0.08, 0.12], chest: [0, 0.07, 0.07], hips: [0, 0.05, 0.02], "left-ear": [0.3, 0.2, 0.02], "right-ear": [-0.16, 0.06, -0.12], tail: [0, -0.05, -0.08],
-    "left-hind": [0.02, 0.12, -0.34], "right-hind": [0, 0.05, 0.18], "left-fore": [0, 0.09, 0.36], "right-fore": [0, 0.1, -0.12],
+    "left-hind": [0.02, 0.12, -0.28], "right-hind": [0, 0.05, 0.12], "left-fore": [0, 0.09, 0.34], "right-fore": [0, 0.1, -0.06],
   } },
   { id: "run-stands", motion: "run", seconds: 0.25, moves: { // gathered low, ears late
     head: [-0.02, -0.14, 0.1], chest: [-0.03, -0.11, 0.04], hips: [-0.03, -0.08, 0.02], "left-ear": [0.08, 0.02, 0.06], "right-ear": [-0.02, 0.02, 0], tail: [0.08, 0.06, 0.02],
