@@ -5,14 +5,14 @@ import { DEFAULT_WHOLE_POSE, MOST_REACH, MOST_TURN, PointDetails, type StiffPart
 import { SessionElement } from "../element";
 import { badge } from "../point-colors";
 import { base, panel } from "../styles";
-import { slider } from "./slider";
+import { slider, sliderStyle } from "./slider";
 
 /** The keyboard twin of the dots: every point is a button here. */
 @customElement("rigless-panel-points")
 export class PointsPanel extends SessionElement {
   protected readonly topics = ["document", "selection", "solve", "pairing", "suggestions", "frame"] as const;
   private details: PointDetails | null = null;
-  static override styles = [base, panel];
+  static override styles = [base, panel, sliderStyle];
 
   protected override render() {
     const { session } = this;

@@ -1,4 +1,4 @@
-import { html, type TemplateResult } from "lit";
+import { css, html, type TemplateResult } from "lit";
 
 export interface SliderLook {
   min?: number;
@@ -9,6 +9,12 @@ export interface SliderLook {
   /** What the value means. */
   words: string;
 }
+
+export const sliderStyle = css`
+  .slide span { display: grid; }
+  .slide input { padding: 0; box-shadow: none; background: none; accent-color: var(--ink); }
+  .slide small { font: var(--t-small); color: var(--ink-3); margin-top: -6px; }
+`;
 
 /** A row of a panel: a number, and whether it is still held. */
 export function slider(
