@@ -4,7 +4,7 @@ import { BOX_OBJ, dance, documentOf, drop, open, watchErrors } from "./page";
 
 /** More and other steps: SEED=7 STEPS=2000 npx playwright test random-use */
 const seed = Number(process.env["SEED"] ?? 1);
-const steps = Number(process.env["STEPS"] ?? 20);
+const steps = Number(process.env["STEPS"] ?? 16);
 
 const KEYS = [
   ..."kcmfqstr1234[],.",
@@ -31,7 +31,18 @@ function chance(from: number): () => number {
   };
 }
 
-const rested = (page: Page) => page.waitForFunction(() => rigless?.stale === 0 && !rigless.solving, null, { timeout: 60_000 });
+/** Waits until nothing is under way: a file that is being opened shows itself after a while. */
+async function rested(page: Page): Promise<void> {
+  let last: unknown;
+  let now: unknown = null;
+  while (now !== last) {
+    last = now;
+    await page.waitForTimeout(800);
+    await expect(page.locator("rigless-jobs").getByRole("progressbar")).toHaveCount(0, { timeout: 60_000 });
+    await page.waitForFunction(() => rigless?.stale === 0 && !rigless.solving, null, { timeout: 60_000 });
+    now = JSON.stringify(await documentOf(page));
+  }
+}
 
 /** Presses a key as long as its button can be pressed; how often that was. */
 async function press(page: Page, key: string, button: string): Promise<number> {
