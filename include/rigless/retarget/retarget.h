@@ -49,9 +49,9 @@ struct RetargetInput {
   Span<const Vec3<S>> joints;      // T x J, body-local metres
   std::int32_t joint_count = 0;    // J
   Span<const std::int32_t> pairs;  // C: joint that drives each control, or -1: the whole pose
-  Span<const S> pose_weights;      // C: of each control its own pose_weight; or empty
   Examples<S> examples;            // N x J, N x C
   Constraints<S> constraints;      // track: control; mesh-local units (per frame)
+  Span<const S> pose_weights{};    // C: of each control its own pose_weight; or empty
 };
 
 // Retargets a clip: normalises examples and clip, solves the spacetime system over all controls, and puts the tracks

@@ -17,15 +17,16 @@ struct FootLockOptions {
   S fps = 30;
   S smoothness = 3;         // of the correction in x and z, at 30 fps
   S height_smoothness = 1;  // in y; 3 would dip below the floor between two contacts
-  S weight = S(0.02);       // cost of the squared correction between the contacts
+  S weight = S(0.02);       // cost of the squared correction between the contacts, in x and z
+  S height_weight = S(1);   // in y: a foot that swings does not skim the ground on its way
 };
 
 // Holds each control while it stands: x and z at their mean over the run, y at the control's ground height. Elsewhere
-// the correction o minimises weight |o|^2 + |smoothness D2 o|^2, so it fades in before the contact and out after it. A
-// pinned coordinate is where it shall be: a run stands at its pinned places instead of its mean, and elsewhere o is 0.
-// tracks: T x C world positions, changed in place; labels: T x C, not 0 while a control stands; pins: T x C, bit k for
-// axis k, or empty; ground: C, rest height of each control above the lowest vertex. Allocates. Errors: no_controls;
-// size_mismatch.
+// the correction o minimises weight |o|^2 + |smoothness D2 o|^2, in y by its own weight and smoothness, so it fades in
+// before the contact and out after it. A pinned coordinate is where it shall be: a run stands at its pinned places
+// instead of its mean, and elsewhere o is 0. tracks: T x C world positions, changed in place; labels: T x C, not 0
+// while a control stands; pins: T x C, bit k for axis k, or empty; ground: C, rest height of each control above the
+// lowest vertex. Allocates. Errors: no_controls; size_mismatch.
 template <class S>
 Status lock_feet(Span<Vec3<S>> tracks, Span<const std::uint8_t> labels, Span<const std::uint8_t> pins,
                  Span<const S> ground, const FootLockOptions<S>& options) {
@@ -77,7 +78,7 @@ Status lock_feet(Span<Vec3<S>> tracks, Span<const std::uint8_t> labels, Span<con
         typename BandSolver<S, 1>::Row row;
         const bool held = stands(f) || pinned(f, axis);
         for (std::size_t g = 0; g < 5; ++g) row[g](0) = held ? S(0) : lambda * lambda * second[g];
-        row[2](0) += held ? S(1) : options.weight;
+        row[2](0) += held ? S(1) : axis == 1 ? options.height_weight : options.weight;
         system.append(row);
         right[f](0) = correction[f][axis];
       }

@@ -27,7 +27,7 @@ export const POSES = [
   } },
   { id: "strike-left", motion: "walk", seconds: 0, moves: { // rocks onto its left heel
     head: [0.036, -0.018, 0.054], hips: [0.018, -0.027, 0.018], "left-hand": [0.072, 0, -0.24],
-    "right-hand": [0, 0.069, 0.24], "left-foot": [0, 0, 0.19], "right-foot": [0, 0, -0.15],
+    "right-hand": [0, 0.069, 0.24], "left-foot": [0, 0.07, 0.19], "right-foot": [0, 0.05, -0.15],
   } },
   { id: "pass-right", motion: "walk", seconds: 0.3, moves: {
     head: [0.063, 0.009, 0.036], hips: [0.045, 0.009, 0.018],
