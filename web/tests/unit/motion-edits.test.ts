@@ -14,6 +14,7 @@ import { bake } from "../../src/sync/bake";
 import { bestLoop } from "../../src/sync/best-loop";
 import { Binding } from "../../src/sync/binding";
 import { toLocalAll } from "../../src/sync/placement";
+import { detailed } from "../../src/sync/details";
 import { motionEdits, retargetInput } from "../../src/sync/translate";
 import { asset } from "../support/files";
 
@@ -67,7 +68,8 @@ describe("a cut", () => {
     expect(parseProject(serializeProject(said), "project.json").document).toEqual(said);
     const model = await readModel([asset("cactus/cactus.glb")]);
     const asks = (document: ProjectDocument, frames: number) => {
-      const { constraints = [], contacts = [], flights } = retargetInput(model, document, { joints: [], frames });
+      const motion = { joints: [], frames };
+      const { constraints = [], contacts = [], flights } = detailed(retargetInput(model, document, motion), model, document, motion);
       return [constraints.map(({ frame }) => frame), contacts.map(({ runs }) => runs), flights];
     };
     expect(asks(said, 41)).toEqual([[5], [[[0, 8]]], [[10, 14]]]);
