@@ -76,7 +76,8 @@ export class FileOpening {
     job.step(2);
     const files = sources.addMotion(opened.document.motion.files, opened.motion);
     const file = sources.addModel(opened.document.mesh.file, model, modelFiles(opened.modelFiles));
-    const taken = await this.steps.change({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } }, job, gesture);
+    const document = { ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } };
+    const taken = await this.steps.change(() => document, job, gesture);
     const namesOf = (names: readonly string[]): string => names.map(baseName).join();
     for (const other of motions)
       if (namesOf(other.files) !== namesOf(opened.document.motion.files)) sources.addMotion(other.files, other.input);
@@ -107,7 +108,7 @@ export class FileOpening {
       const guess = await guesses.of(model);
       const mesh: MeshRef = { file, ...(guess?.mesh ?? { facing: "+z", up: "+y" }), solve: "solid" };
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
-      const { report } = await this.steps.change(named(commands.setMesh(mesh)(history.document)), job, gesture);
+      const { report } = await this.steps.change((document) => named(commands.setMesh(mesh)(document)), job, gesture);
       selection.endIntro();
       opened = model;
       this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
@@ -124,10 +125,11 @@ export class FileOpening {
   private async guess(model: Model, job: JobHandle): Promise<void> {
     const { history, selection } = this.context;
     const guess = await this.openers.guesses.of(model);
-    const { document } = history;
+    const { mesh } = history.document;
     try {
       if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
-      await this.steps.change(commands.addPoints(guess.points, guess.roles)(document), job);
+      const add = commands.addPoints(guess.points, guess.roles);
+      await this.steps.change((document) => (document.mesh === mesh ? add(document) : document), job);
       selection.setPanel(null);
       this.steps.say({ ...guessText(guess.points), icon: "points", actions: [history.undoAction()] });
     } catch (error) {
@@ -149,7 +151,7 @@ export class FileOpening {
         job.step(2);
         const files = this.openers.sources.addMotion(motion.files, motion.input);
         if (k > 0) return;
-        const taken = await this.steps.change(commands.setMotion({ files })(history.document), job, gesture);
+        const taken = await this.steps.change(commands.setMotion({ files }), job, gesture);
         selection.endIntro();
         const notes = taken.motion ? pairingNotes(history.document, taken.motion) : [];
         this.steps.say({ ...motionText(motion.input.name, taken.motion, notes), icon: "motion", actions: [history.undoAction()] });

@@ -1,5 +1,4 @@
-import type { Gesture } from "../document/store";
-import type { ProjectDocument } from "../document/types";
+import type { Command, Gesture } from "../document/store";
 import { baseName } from "../io/named-file";
 import type { Taken } from "../sync/workspace";
 import { isAbort } from "./aborts";
@@ -32,11 +31,11 @@ export class OpeningSteps {
     private readonly cast: Cast,
   ) {}
 
-  /** One step to another document, if the engine can take it. */
-  async change(next: ProjectDocument, job?: JobHandle, gesture?: Gesture): Promise<Taken> {
+  /** One step to another document, if the engine can take it. What is done meanwhile stays done. */
+  async change(command: Command, job?: JobHandle, gesture?: Gesture): Promise<Taken> {
     const { workspace, history } = this.context;
-    const taken = await workspace.tryOn(next, job?.signal, (done) => job?.progress(done));
-    history.apply(() => next, gesture);
+    const taken = await workspace.tryOn(command(history.document), job?.signal, (done) => job?.progress(done));
+    history.apply(command, gesture);
     return taken;
   }
 

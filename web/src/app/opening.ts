@@ -50,11 +50,7 @@ export class Opening {
       if (!own || !isNewest()) return;
       job.step(1);
       const { saved } = history;
-      const {
-        motion,
-        settings: { inPlace },
-      } = history.document;
-      await this.steps.change({ ...own, motion, settings: { ...own.settings, inPlace } }, job);
+      await this.steps.change(({ motion, settings: { inPlace } }) => ({ ...own, motion, settings: { ...own.settings, inPlace } }), job);
       if (saved) history.markSaved();
     });
   }
@@ -71,7 +67,7 @@ export class Opening {
       }
       if (!isNewest()) return;
       job.step(1);
-      await this.steps.change(commands.setMotion({ files })(this.context.document), job);
+      await this.steps.change(commands.setMotion({ files }), job);
     });
   }
 

@@ -135,3 +135,13 @@ test("a model without a solid body still opens, and the person makes the points"
   await session.opening.files([file("tetra.obj", TETRAHEDRON)]);
   expect(session.document.mesh.file).toBe("tetra.obj");
 });
+
+test("what is done while a model is still being understood stays done", async () => {
+  const { session } = await dancingSession();
+  const opened = session.opening.files([file("tetra.obj", TETRAHEDRON)]);
+  await vi.waitFor(() => expect(session.document.mesh.file).toBe("tetra.obj"), { interval: 1 });
+  session.settings.rename("Crate");
+  await opened;
+  expect(session.document).toMatchObject({ name: "Crate", mesh: { file: "tetra.obj" } });
+  expect(session.document.points.length).toBeGreaterThan(0);
+});
