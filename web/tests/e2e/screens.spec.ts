@@ -88,7 +88,7 @@ function faults(page: Page, touch: boolean): Promise<string[]> {
         let deep = at;
         while (deep?.shadowRoot?.elementFromPoint((left + right) / 2, (top + bottom) / 2)) {
           const next = deep.shadowRoot.elementFromPoint((left + right) / 2, (top + bottom) / 2)!;
-          if (next === deep) break;
+          if (next.getRootNode() !== deep.shadowRoot) break; // nothing of its own is there
           deep = next;
         }
         if (deep && !control.contains(deep)) found.push(`${name(control)} is covered by ${name(deep)}`);

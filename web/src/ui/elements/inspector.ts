@@ -29,7 +29,7 @@ export class Inspector extends SessionElement {
       @media (max-width: 719px) {
         :host { margin: 0; width: auto; border-radius: 0; box-shadow: none; padding: 0 16px; }
         header { display: none; }
-        .switches { display: flex; gap: 8px; margin: 0; padding: 8px 0; }
+        .switches { display: flex; flex-wrap: wrap; gap: 8px; margin: 0; padding: 8px 0; }
       }
     `,
   ];
