@@ -130,6 +130,7 @@ export class FileOpening {
       if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
       const add = commands.addPoints(guess.points, guess.roles);
       await this.steps.change((document) => (document.mesh === mesh ? add(document) : document), job);
+      if (history.document.mesh !== mesh) return; // it was undone meanwhile
       selection.setPanel(null);
       this.steps.say({ ...guessText(guess.points), icon: "points", actions: [history.undoAction()] });
     } catch (error) {

@@ -173,10 +173,7 @@ describe("a project with poses", async () => {
     expect(pairingNotes(document, motion)).toEqual([]);
     const { controls } = await dance(model, document, motion);
     expect(controls).toEqual(own.controls);
-    const found = document.examples.map((example) => mirroredFrame(example, document, motion));
-    const both = found.map((frame, k) => frame !== null && mirrored[k] !== null); // with fewer joints poses are less or more alike
-    expect(found.filter((_, k) => both[k])).toEqual(mirrored.filter((_, k) => both[k]));
-    expect(both.filter(Boolean).length).toBeGreaterThan(1);
+    expect(document.examples.map((example) => mirroredFrame(example, document, motion))).toEqual(mirrored);
   });
 });
 
