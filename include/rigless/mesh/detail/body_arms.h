@@ -10,8 +10,8 @@ namespace rigless::detail {
 template <class S>
 class ArmFinder {
  public:
-  // Keeps what it is given; head, center: nodes. Allocates.
-  ArmFinder(const StandingBody<S>& body, const std::vector<Tip<S>>& tips, std::int32_t head, std::int32_t center)
+  // Keeps what it is given; head, center: nodes. Tips that are found to be a pair become partners. Allocates.
+  ArmFinder(const StandingBody<S>& body, std::vector<Tip<S>>& tips, std::int32_t head, std::int32_t center)
       : body_(body),
         tips_(tips),
         head_(head),
@@ -20,10 +20,11 @@ class ArmFinder {
 
   // The most prominent pair that is no ears and no horns: slender, else well nearer to the middle than to the head, and
   // most of all so; but wings that are spread reach farther than all. A tip of the pair, or -1. Allocates.
-  RIGLESS_COLD std::int32_t find() const {
+  RIGLESS_COLD std::int32_t find() {
     const std::int32_t arm = find_arm();
     const std::int32_t wing = widest([&](std::size_t t) { return apart(t) > S(0.9) && at(t).y() > S(0.12); });
-    if (arm < 0 || wing < 0) return arm;
+    if (arm < 0) return find_swinging();
+    if (wing < 0) return arm;
     return reach(to_size(wing)) > std::max(S(1.5) * reach(to_size(arm)), S(0.45)) ? wing : arm;
   }
 
@@ -51,13 +52,11 @@ class ArmFinder {
   bool free(std::size_t t) const { return !tips_[t].used && tips_[t].partner >= 0 && !tips_[partner(t)].used; }
   S reach(std::size_t t) const { return std::min(std::abs(at(t).x()), std::abs(at(partner(t)).x())); }
 
-  // How many times as far from the head as from the middle, of a pair the less.
-  S apart(std::size_t t) const {
-    const auto ratio = [&](std::size_t one) {
-      return nth(from_head_, tips_[one].node) / std::max(nth(from_center_, tips_[one].node), S(1e-6));
-    };
-    return std::min(ratio(t), ratio(partner(t)));
+  // How many times as far from the head as from the middle; of a pair the less.
+  S ratio(std::size_t t) const {
+    return nth(from_head_, tips_[t].node) / std::max(nth(from_center_, tips_[t].node), S(1e-6));
   }
+  S apart(std::size_t t) const { return std::min(ratio(t), ratio(partner(t))); }
 
   std::int32_t find_arm() const {
     for (std::size_t t = 0; t < tips_.size(); ++t)
@@ -67,6 +66,28 @@ class ArmFinder {
       if (free(t) && apart(t) > S(0.9) && (best < 0 || apart(t) > S(1.3) * apart(to_size(best))))
         best = static_cast<std::int32_t>(t);
     return best;
+  }
+
+  // Of a body that is caught in mid stride, whose arms are no mirror images: they begin at one height, one on each
+  // side.
+  std::int32_t find_swinging() {
+    if (body_.symmetric() || body_.lies()) return -1;
+    std::vector<std::pair<std::size_t, Vec3<S>>> arms;  // tip, base
+    for (std::size_t t = 0; t < tips_.size(); ++t) {
+      if (tips_[t].used || at(t).y() < S(0.2) || ratio(t) < S(0.75)) continue;
+      const Limb<S> limb = find_limb(body_.graph, tips_[t].node, S(0.7) * body_.tall);
+      if (limb.length > S(1.1) * limb.girth) arms.push_back({t, body_.stand(limb.base)});
+    }
+    for (std::size_t a = 0; a < arms.size(); ++a) {
+      for (std::size_t b = a + 1; b < arms.size(); ++b) {
+        const Vec3<S>&p = arms[a].second, &q = arms[b].second;
+        if (std::abs(p.y() - q.y()) > S(0.1) || !(std::abs(p.x() - q.x()) > S(0.1))) continue;
+        tips_[arms[a].first].partner = static_cast<std::int32_t>(arms[b].first);
+        tips_[arms[b].first].partner = static_cast<std::int32_t>(arms[a].first);
+        return static_cast<std::int32_t>(arms[a].first);
+      }
+    }
+    return -1;
   }
 
   bool slender(std::size_t t) const {
@@ -84,7 +105,7 @@ class ArmFinder {
   }
 
   const StandingBody<S>& body_;
-  const std::vector<Tip<S>>& tips_;
+  std::vector<Tip<S>>& tips_;
   std::int32_t head_;
   std::vector<S> from_head_, from_center_;
 };

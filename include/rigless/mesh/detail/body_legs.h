@@ -12,7 +12,7 @@ class LegFinder {
   // Keeps both; tips that are found to be a pair become partners.
   LegFinder(const StandingBody<S>& body, std::vector<Tip<S>>& tips) : body_(body), tips_(tips) {}
 
-  // Indices of tips on the ground by pairs, else of four limbs that hang; none where a body lies on its belly.
+  // Indices of tips on the ground by pairs, else of limbs in mid stride; none where a body lies on its belly.
   // Allocates.
   RIGLESS_COLD std::vector<std::size_t> find() {
     std::vector<std::size_t> feet;
@@ -20,7 +20,13 @@ class LegFinder {
       if (stands(t) && stands(partner(t))) feet.push_back(t);
     if (body_.lies() && feet.size() <= 4)
       feet.erase(std::remove_if(feet.begin(), feet.end(), [&](std::size_t t) { return !is_leg(t); }), feet.end());
-    return feet.empty() ? four_that_hang() : feet;
+    if (!feet.empty() && !(body_.lies() && feet.size() < 4)) return feet;
+    for (const auto& posed : {four_on_the_ground(), four_that_hang(), two_in_mid_stride()}) {
+      if (posed.empty() || posed.size() < feet.size()) continue;
+      for (std::size_t k = 0; k < posed.size(); ++k) tips_[posed[k]].partner = static_cast<std::int32_t>(posed[k ^ 1]);
+      return posed;
+    }
+    return feet;
   }
 
  private:
@@ -40,18 +46,46 @@ class LegFinder {
     return (rise > S(0.03) && aside < S(0.7) * rise) || (own.length > S(2) * own.girth && aside < S(0.05));
   }
 
-  // Of a body that gallops or looks round, whose legs are no mirror images.
-  std::vector<std::size_t> four_that_hang() {
-    std::vector<std::size_t> feet;
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
-      const Limb<S> own = limb(t);
-      const S rise = body_.posture.up.dot(own.base - nth(body_.graph.position, tips_[t].node));
-      if (at(t).y() < S(0.3) && own.length > S(1.3) * own.girth && rise > S(0.45) * own.length) feet.push_back(t);
-    }
-    if (feet.size() != 4) return {};
+  bool on_the_ground(std::size_t t) const { return !tips_[t].used && at(t).y() < S(0.15); }
+  bool hangs(std::size_t t, S slenderness) const {
+    const Limb<S> own = limb(t);
+    const S rise = body_.posture.up.dot(own.base - nth(body_.graph.position, tips_[t].node));
+    return own.length > slenderness * own.girth && rise > S(0.45) * own.length;
+  }
+
+  // By pairs from behind to before, if they are as many as wanted.
+  std::vector<std::size_t> in_order(std::vector<std::size_t> feet, std::size_t wanted) const {
+    if (feet.size() != wanted) return {};
     std::sort(feet.begin(), feet.end(), [&](std::size_t a, std::size_t b) { return at(a).z() < at(b).z(); });
-    for (std::size_t k = 0; k < 4; ++k) tips_[feet[k]].partner = static_cast<std::int32_t>(feet[k ^ 1]);
     return feet;
+  }
+
+  // Of a body that walks on four legs, which are no mirror images: one of each pair is on each side.
+  std::vector<std::size_t> four_on_the_ground() const {
+    std::vector<std::size_t> feet;
+    for (std::size_t t = 0; t < tips_.size(); ++t)
+      if (body_.lies() && on_the_ground(t)) feet.push_back(t);
+    feet = in_order(feet, 4);
+    if (std::count_if(feet.begin(), feet.end(), [&](std::size_t t) { return rises(t); }) < 3) return {};  // fins
+    for (std::size_t k = 0; k < feet.size(); k += 2)
+      if (body_.side(tips_[feet[k]].node) * body_.side(tips_[feet[k + 1]].node) >= 0) return {};
+    return feet;
+  }
+
+  // Of a body that gallops or looks round.
+  std::vector<std::size_t> four_that_hang() const {
+    std::vector<std::size_t> feet;
+    for (std::size_t t = 0; t < tips_.size(); ++t)
+      if (at(t).y() < S(0.3) && hangs(t, S(1.3))) feet.push_back(t);
+    return in_order(feet, 4);
+  }
+
+  // Of a body that strides on two legs.
+  std::vector<std::size_t> two_in_mid_stride() const {
+    std::vector<std::size_t> feet;
+    for (std::size_t t = 0; t < tips_.size(); ++t)
+      if (!body_.symmetric() && !body_.lies() && on_the_ground(t) && hangs(t, S(1.2))) feet.push_back(t);
+    return in_order(feet, 2);
   }
 
   const StandingBody<S>& body_;

@@ -50,9 +50,14 @@ class BodyReader {
   }
   bool is_named(BodyRole role) const { return named(role) != nullptr; }
 
-  // Of two that belong together one is on each side, however near they are to the middle.
+  // Of two that belong together one is on each side, however near they are to the middle; those of a body in mid stride
+  // may cross it, but begin on their side.
   std::int32_t side_of(const Tip<S>& tip) const {
-    return body_.place(tip.node).x() > body_.place(nth(tips_, tip.partner).node).x() ? 1 : -1;
+    const auto x = [&](std::int32_t node) {
+      return body_.symmetric() ? body_.place(node).x()
+                               : body_.stand(find_limb(body_.graph, node, S(0.7) * body_.tall).base).x();
+    };
+    return x(tip.node) > x(nth(tips_, tip.partner).node) ? 1 : -1;
   }
 
   // The tip that a landmark means, or where there is none what is nearest to it; nothing that another limb means.
@@ -83,9 +88,15 @@ class BodyReader {
     return tip->node;
   }
 
-  // Of a wing that is one joint long: the most prominent tip, far away, of a limb that begins there.
+  // Of a wing that is one joint long: the most prominent tip, far away and no foot, of a limb that begins there.
   Tip<S>* end_of(const Landmark<S>& base) {
+    const auto is_foot = [&](const Vec3<S>& p) {
+      return std::any_of(named_.begin(), named_.end(), [&](const Landmark<S>& other) {
+        return other.role == BodyRole::foot && (p - other.position).norm() < S(0.12);
+      });
+    };
     for (Tip<S>& t : tips_) {
+      if (is_foot(body_.place(t.node))) continue;
       const Limb<S> limb = find_limb(body_.graph, t.node, S(0.7) * body_.tall);
       const bool begins =
           (body_.stand(limb.base) - base.position).norm() < S(0.15) && limb.length > S(1.5) * limb.girth;
@@ -97,11 +108,15 @@ class BodyReader {
 
   static bool is_limb(const Landmark<S>& one) { return one.role == BodyRole::hand || one.role == BodyRole::foot; }
 
+  bool is_free(std::int32_t node, S from = S(0.05)) const {
+    return std::none_of(points_.begin(), points_.end(),
+                        [&](const BodyPoint<S>& p) { return body_.apart(p.vertex, node) < from; });
+  }
+
   // A head keeps its shape as a whole, faces being what one looks at.
   void add(std::int32_t node, BodyRole role, bool wanted, std::int32_t side) {
     if (node < 0) return;
-    for (const BodyPoint<S>& p : points_)
-      if (body_.apart(p.vertex, node) < (wanted ? S(0.05) : S(0.14))) return;
+    if (!is_free(node, wanted ? S(0.05) : S(0.14))) return;
     const bool head = role == BodyRole::head;
     const S radius = head ? std::clamp(S(2) * body_.thickness(node), S(0.08) * body_.tall, S(0.2) * body_.tall)
                           : std::clamp(body_.thickness(node), S(0.04) * body_.tall, S(0.1) * body_.tall);
@@ -123,10 +138,16 @@ class BodyReader {
     if (legs_ == 2) add_near_forelegs(middle / S(2));
     swims_ = legs_ == 0 && (body_.lies() || is_named(BodyRole::tail));
     if (legs_ > 0 || swims_) return;
+    const auto is_hand = [&](const Vec3<S>& p) {
+      return std::any_of(named_.begin(), named_.end(), [&](const Landmark<S>& one) {
+        return one.role == BodyRole::hand && (p - one.position).norm() < S(0.3);
+      });
+    };
+    const auto is_base = [&](const Vec3<S>& p) { return !(p.y() > S(0.06)) && !is_hand(p); };
+    if (std::none_of(body_.places.begin(), body_.places.end(), is_base)) return;  // it hangs in the air by its hands
     for (const S sign : {S(1), S(-1)})
-      add(body_.best_node([&](const Vec3<S>& p) {
-        return sign * p.x() - S(0.2) * std::abs(p.z()) - (p.y() > S(0.06) ? S(10) : S(0));
-      }),
+      add(body_.best_node(
+              [&](const Vec3<S>& p) { return sign * p.x() - S(0.2) * std::abs(p.z()) - (is_base(p) ? S(0) : S(10)); }),
           BodyRole::foot, true, sign > S(0) ? 1 : -1);
   }
 
@@ -162,9 +183,11 @@ class BodyReader {
 
   void add_hands() {
     if (legs_ >= 4 && legs_ < 6) return;
-    const ArmFinder<S> arms(body_, tips_, head_, center_);
+    ArmFinder<S> arms(body_, tips_, head_, center_);
     const std::int32_t hand = swims_ ? arms.find_fins() : legs_ >= 6 ? arms.find_claws() : arms.find();
     if (hand < 0) return;
+    const std::int32_t one = nth(tips_, hand).node, other = nth(tips_, nth(tips_, hand).partner).node;
+    if (!is_free(one) || !is_free(other) || body_.apart(one, other) < S(0.05)) return;
     for (const std::int32_t t : {hand, nth(tips_, hand).partner}) {
       nth(tips_, t).used = true;
       add(nth(tips_, t).node, BodyRole::hand, true, side_of(nth(tips_, t)));

@@ -88,9 +88,9 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Symme
   return score;
 }
 
-// Whether the top quarter is a tail held high: a small part of the body, and thin.
+// Whether what is above a height is a tail held high: a small part of the body, and thin. from: of the body's height.
 template <class S>
-bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up) {
+bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up, S from) {
   constexpr std::size_t slices = 8;
   const Bounds<S> box = bounds(samples);
   const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
@@ -99,9 +99,9 @@ bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up) {
   std::array<S, slices> squares{}, count{};
   S all = 0, spread = 0;
   for (const Vec3<S>& p : samples) {
-    const S above = (up.dot(p) - low) / tall - S(0.75);
+    const S above = (up.dot(p) - low) / tall - from;
     if (!(above > S(0))) continue;
-    const std::size_t k = std::min(slices - 1, static_cast<std::size_t>(above * S(4 * slices)));
+    const std::size_t k = std::min(slices - 1, static_cast<std::size_t>(above / (S(1) - from) * S(slices)));
     const Vec3<S> flat = p - up.dot(p) * up;
     sum[k] += flat;
     squares[k] += flat.squaredNorm();
@@ -122,23 +122,37 @@ S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& fro
   const S tall = std::abs(up.dot(box.extent())), low = std::min(up.dot(box.low), up.dot(box.high));
   const S length = std::abs(front.dot(box.extent()));
   if (!(tall > S(0)) || !(length > S(0))) return S(0);
-  std::array<S, 4> sum{}, count{};  // toes, shins, head, all
+  const Vec3<S> across = up.cross(front).cwiseAbs();
+  const S middle = across.dot(box.low + box.high) / S(2);
+  std::array<S, 6> sum{}, count{};  // toes and shins on either side, head, all
   for (const Vec3<S>& p : samples) {
     const S h = (up.dot(p) - low) / tall, f = front.dot(p);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (k == 3 || (k == 0 && h < S(0.06)) || (k == 1 && h > S(0.1) && h < S(0.2)) || (k == 2 && h > S(0.75))) {
-        sum[k] += f;
-        count[k] += S(1);
-      }
-    }
+    const std::size_t side = across.dot(p) > middle ? 1 : 0;
+    const auto add = [&](std::size_t k) {
+      sum[k] += f;
+      count[k] += S(1);
+    };
+    if (h < S(0.06)) add(side);
+    if (h > S(0.1) && h < S(0.2)) add(2 + side);
+    if (h > S(0.75)) add(4);
+    add(5);
   }
-  const auto mean = [&](std::size_t k) { return count[k] > S(0) ? sum[k] / count[k] : sum[3] / count[3]; };
-  const S toes = (mean(0) - mean(1)) / tall, top = (mean(2) - mean(3)) / std::max(length, tall);
+  const auto mean = [&](std::size_t k) { return count[k] > S(0) ? sum[k] / count[k] : sum[5] / count[5]; };
+  S toes = 0, feet = 0;  // of one in mid stride each foot counts alone
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!(count[side] > S(0)) || !(count[2 + side] > S(0))) continue;
+    toes += (mean(side) - mean(2 + side)) / tall;
+    feet += S(1);
+  }
+  toes /= std::max(feet, S(1));
+  const S top = (mean(4) - mean(5)) / std::max(length, tall);
   if (length < S(0.8) * tall) return S(3) * toes + S(0.5) * top;
-  S score = toes + (ends_thin(samples, up) ? -top : top);
-  const Vec3<S> across = up.cross(front).cwiseAbs();
+  // Ears may reach as high as the lower part of such a tail, which is at one end and no lid's knob.
+  const bool tail_is_high =
+      ends_thin(samples, up, S(0.75)) || (std::abs(top) > S(0.2) && ends_thin(samples, up, S(0.85)));
+  S score = toes + (tail_is_high ? -top : top);
   if (length > S(1.5) * tall && across.dot(box.extent()) < S(0.6) * length) {
-    const S middle = across.dot(box.low + box.high) / S(2), back = std::min(front.dot(box.low), front.dot(box.high));
+    const S back = std::min(front.dot(box.low), front.dot(box.high));
     std::array<S, 2> wide{}, many{};  // in the last quarter, in the first
     for (const Vec3<S>& p : samples) {
       const S f = (front.dot(p) - back) / length;
