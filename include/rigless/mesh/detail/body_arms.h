@@ -23,8 +23,7 @@ class ArmFinder {
   RIGLESS_COLD std::int32_t find() {
     const std::int32_t arm = find_arm();
     const std::int32_t wing = widest([&](std::size_t t) { return apart(t) > S(0.9) && at(t).y() > S(0.12); });
-    if (arm < 0) return find_swinging();
-    if (wing < 0) return arm;
+    if (arm < 0 || wing < 0) return arm;
     return reach(to_size(wing)) > std::max(S(1.5) * reach(to_size(arm)), S(0.45)) ? wing : arm;
   }
 
@@ -58,10 +57,11 @@ class ArmFinder {
   }
   S apart(std::size_t t) const { return std::min(ratio(t), ratio(partner(t))); }
 
-  std::int32_t find_arm() const {
+  std::int32_t find_arm() {
     for (std::size_t t = 0; t < tips_.size(); ++t)
       if (free(t) && slender(t) && slender(partner(t))) return static_cast<std::int32_t>(t);
-    std::int32_t best = -1;
+    std::int32_t best = find_swinging();
+    if (best >= 0) return best;
     for (std::size_t t = 0; t < tips_.size(); ++t)
       if (free(t) && apart(t) > S(0.9) && (best < 0 || apart(t) > S(1.3) * apart(to_size(best))))
         best = static_cast<std::int32_t>(t);
