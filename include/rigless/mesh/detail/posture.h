@@ -88,7 +88,7 @@ S uprightness(Span<const Vec3<S>> samples, Span<const Vec3<S>> tips, const Symme
   return score;
 }
 
-// Whether what is above a height is a tail held high: a small part of the body, and thin. from: of the body's height.
+// Whether the top quarter is a tail held high: a small part of the body, and thin above `from` of the height.
 template <class S>
 bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up, S from) {
   constexpr std::size_t slices = 8;
@@ -97,11 +97,12 @@ bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up, S from) {
   std::array<Vec3<S>, slices> sum;
   sum.fill(Vec3<S>::Zero());
   std::array<S, slices> squares{}, count{};
-  S all = 0, spread = 0;
+  S quarter = 0, all = 0, spread = 0;
   for (const Vec3<S>& p : samples) {
-    const S above = (up.dot(p) - low) / tall - from;
-    if (!(above > S(0))) continue;
-    const std::size_t k = std::min(slices - 1, static_cast<std::size_t>(above / (S(1) - from) * S(slices)));
+    const S h = (up.dot(p) - low) / tall;
+    if (h > S(0.75)) quarter += S(1);
+    if (!(h > from)) continue;
+    const std::size_t k = std::min(slices - 1, static_cast<std::size_t>((h - from) / (S(1) - from) * S(slices)));
     const Vec3<S> flat = p - up.dot(p) * up;
     sum[k] += flat;
     squares[k] += flat.squaredNorm();
@@ -110,7 +111,7 @@ bool ends_thin(Span<const Vec3<S>> samples, const Vec3<S>& up, S from) {
   }
   for (std::size_t k = 0; k < slices; ++k)
     if (count[k] > S(0)) spread += squares[k] - sum[k].squaredNorm() / count[k];
-  return all < S(0.055) * static_cast<S>(samples.size()) && spread < all * S(0.0016) * box.extent().squaredNorm();
+  return quarter < S(0.055) * static_cast<S>(samples.size()) && spread < all * S(0.0016) * box.extent().squaredNorm();
 }
 
 // Above 0 if the body looks along `front`: its toes are before its shins, its head before its middle. One that stands
