@@ -139,13 +139,16 @@ S forwardness(Span<const Vec3<S>> samples, const Vec3<S>& up, const Vec3<S>& fro
     add(5);
   }
   const auto mean = [&](std::size_t k) { return count[k] > S(0) ? sum[k] / count[k] : sum[5] / count[5]; };
-  S toes = 0, feet = 0;  // of one in mid stride each foot counts alone
-  for (std::size_t side = 0; side < 2; ++side) {
-    if (!(count[side] > S(0)) || !(count[2 + side] > S(0))) continue;
-    toes += (mean(side) - mean(2 + side)) / tall;
-    feet += S(1);
+  S toes = 0;
+  if (std::all_of(count.begin(), count.begin() + 4, [](S c) { return c > S(0); })) {
+    toes = (mean(0) - mean(2) + mean(1) - mean(3)) / (S(2) * tall);  // of one in mid stride each foot counts alone
+  } else {
+    for (const std::size_t k : {0u, 2u}) {
+      sum[k] += sum[k + 1];
+      count[k] += count[k + 1];
+    }
+    toes = (mean(0) - mean(2)) / tall;
   }
-  toes /= std::max(feet, S(1));
   const S top = (mean(4) - mean(5)) / std::max(length, tall);
   if (length < S(0.8) * tall) return S(3) * toes + S(0.5) * top;
   // Ears may reach as high as the lower part of such a tail, which is at one end and no lid's knob.
