@@ -180,7 +180,7 @@ class Body {
     if (const Status status = deformer_.set_discs(std::move(pieces)); !status.ok()) return status;
     soles_.bind(limbs, turns, rest, box.low.y(), box.height());
     clearance_.bind(solid_, controls, limbs, turns, rest, box.low.y(), box.height());
-    find_supports(turns.in_hand(), rest, box);
+    find_supports(turns.beyond_hand(), rest, box);
     limbs_ = std::move(limbs);
     turns_ = std::move(turns);
     trunk_.bind(controls, rest);
@@ -188,11 +188,11 @@ class Body {
   }
 
   // A body stands on its feet, not on the sword in its hand.
-  RIGLESS_COLD void find_supports(Span<const std::int32_t> in_hand, Span<const Vec3<S>> rest,
+  RIGLESS_COLD void find_supports(Span<const std::int32_t> beyond_hand, Span<const Vec3<S>> rest,
                                   const detail::Bounds<S>& box) {
     supports_.clear();
     for (const std::int32_t v : outermost_) {
-      const std::int32_t c = nth(in_hand, nth(solid_.element, nth(solid_.element_of, v))[0]);
+      const std::int32_t c = nth(beyond_hand, nth(solid_.element, nth(solid_.element_of, v))[0]);
       if (c < 0 || detail::rests_on_ground(nth(rest, c), box.low.y(), box.height())) supports_.push_back(v);
     }
   }

@@ -92,12 +92,28 @@ class Clearance {
     return turns * S(columns / 4);
   }
 
-  S& outline(int row, int column) { return outline_[to_size(row * columns + (column % columns))]; }
   S outline(int row, int column) const { return outline_[to_size(row * columns + (column % columns))]; }
 
-  // How far the body reaches from its axis, by height and direction, without its limbs.
+  // N: not 0 for nodes of which no place two cells deep is within two edges. Allocates.
+  RIGLESS_COLD static std::vector<char> find_thin(const Solid<S>& solid) {
+    const auto any_near = [&](std::int32_t i, const auto& is) {
+      const auto first = solid.ring.neighbor.begin();
+      return std::any_of(first + solid.ring.first[to_size(i)], first + solid.ring.first[to_size(i) + 1], is);
+    };
+    const auto is_surface = [&](std::int32_t i) {
+      return solid.ring.first[to_size(i) + 1] - solid.ring.first[to_size(i)] < 6;
+    };
+    const auto is_deep = [&](std::int32_t i) { return !is_surface(i) && !any_near(i, is_surface); };
+    const auto is_near_deep = [&](std::int32_t i) { return is_deep(i) || any_near(i, is_deep); };
+    std::vector<char> thin;
+    for (std::int32_t i = 0; i < solid.nodes(); ++i)
+      thin.push_back(is_near_deep(i) || any_near(i, is_near_deep) ? 0 : 1);
+    return thin;
+  }
+
+  // How far the body reaches from its axis, by height and direction, without its limbs, what is in its hands and what
+  // is as thin as a cape or the brim of a hat.
   RIGLESS_COLD void find_outline(const Solid<S>& solid, Span<const char> on_limb) {
-    outline_.fill(S(0));
     Vec3<S> sum = Vec3<S>::Zero();
     S low = std::numeric_limits<S>::max(), high = std::numeric_limits<S>::lowest(), count = 0;
     for (std::size_t i = 0; i < solid.rest.size(); ++i) {
@@ -111,15 +127,26 @@ class Clearance {
     const S half = solid.cell / S(2);
     low_ = low - half;
     row_ = std::max((high - low + solid.cell) / S(rows), S(1e-6));
+    const std::vector<char> thin = find_thin(solid);
+    std::array<std::vector<S>, to_size(rows * columns)> reached;  // by nodes
     for (std::size_t i = 0; i < solid.rest.size(); ++i) {
-      if (on_limb[i] != 0) continue;
+      if (on_limb[i] != 0 || thin[i] != 0) continue;
       const Vec3<S> away = level(solid.rest[i] - axis_);
-      const S far = away.norm() + half, width = S(columns / 4) * half / std::max(away.norm(), half);
+      const S far = std::max(away.norm() - half, half);  // cubes reach beyond the surface
+      const S width = S(columns / 4) * half / std::max(away.norm(), half);
       const S at = direction(away), y = solid.rest[i].y() - low_;
       const int first = static_cast<int>((y - half) / row_), last = static_cast<int>((y + half) / row_);
       for (int row = std::max(first, 0); row <= std::min(last, rows - 1); ++row)
         for (int k = static_cast<int>(std::floor(at - width)); k <= static_cast<int>(at + width); ++k)
-          outline(row, k + columns) = std::max(outline(row, k + columns), far);
+          reached[to_size(row * columns + (k + columns) % columns)].push_back(far);
+    }
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+      std::sort(reached[k].begin(), reached[k].end());
+      outline_[k] = S(0);
+      for (const S far : reached[k]) {
+        if (far - outline_[k] > (outline_[k] > S(0) ? S(3) * solid.cell : S(0.25) * (high - low))) break;  // a gap
+        outline_[k] = far;
+      }
     }
   }
 

@@ -43,12 +43,18 @@ class LimbTurns {
     }
     // What is known to be a limb was not followed from its tip.
     const TrunkShape<S> trunk = find_trunk(solid, controls, rest);
-    for (const auto& [node, chain, along] : find_limb_nodes<S>(solid, bones, trunk, S(1) + blur))
-      if (!(nth(limbs, nth(chains_, chain).control).reach > S(0))) nth(found, node) = node_at(node, chain, along);
     in_hand_.assign(solid.rest.size(), -1);
+    beyond_.assign(solid.rest.size(), -1);
+    for (const auto& [node, chain, along] : find_limb_nodes<S>(solid, bones, trunk, S(1) + blur)) {
+      const std::int32_t c = nth(chains_, chain).control;
+      if (nth(limbs, c).reach > S(0)) continue;
+      nth(found, node) = node_at(node, chain, along);
+      const S far = (nth(solid.rest, node) - nth(rest, c)).norm();
+      if (along < hand && far > S(1.5) * nth(bones, chain).thickness) nth(beyond_, node) = c;
+    }
     for (const auto& [node, chain, along] : find_held_things<S>(solid, bones, trunk, S(1) + blur)) {
       nth(found, node) = node_at(node, chain, along);
-      if (along < hand) nth(in_hand_, node) = nth(chains_, chain).control;
+      if (along < hand) nth(in_hand_, node) = nth(beyond_, node) = nth(chains_, chain).control;
     }
     for (const Node& node : found)
       if (node.chain >= 0) nodes_.push_back(node);
@@ -63,6 +69,8 @@ class LimbTurns {
 
   // N: the control at the tip of the limb that holds a node as a hand does, or -1.
   Span<const std::int32_t> in_hand() const { return in_hand_; }
+  // The same, also for what of such a thing is as near to the hand as the hand itself.
+  Span<const std::int32_t> beyond_hand() const { return beyond_; }
 
   // Whether control c lies at the tip of a limb that turns.
   bool has(std::int32_t c) const { return find(c) != chains_.end(); }
@@ -161,9 +169,9 @@ class LimbTurns {
   }
 
   std::vector<Chain> chains_;
-  std::vector<Node> nodes_;            // those that limbs turn
-  std::vector<std::int32_t> in_hand_;  // N
-  std::vector<Mat3<S>> rotations_;     // N
+  std::vector<Node> nodes_;                     // those that limbs turn
+  std::vector<std::int32_t> in_hand_, beyond_;  // N
+  std::vector<Mat3<S>> rotations_;              // N
 };
 
 }  // namespace rigless::detail
