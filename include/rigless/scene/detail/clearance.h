@@ -94,7 +94,8 @@ class Clearance {
 
   S outline(int row, int column) const { return outline_[to_size(row * columns + (column % columns))]; }
 
-  // N: not 0 for nodes of which no place two cells deep is within two edges. Allocates.
+  // N: not 0 for nodes from which no place two cells deep is within four edges, as far as the edge of a box.
+  // Allocates.
   RIGLESS_COLD static std::vector<char> find_thin(const Solid<S>& solid) {
     const auto any_near = [&](std::int32_t i, const auto& is) {
       const auto first = solid.ring.neighbor.begin();
@@ -103,11 +104,14 @@ class Clearance {
     const auto is_surface = [&](std::int32_t i) {
       return solid.ring.first[to_size(i) + 1] - solid.ring.first[to_size(i)] < 6;
     };
-    const auto is_deep = [&](std::int32_t i) { return !is_surface(i) && !any_near(i, is_surface); };
-    const auto is_near_deep = [&](std::int32_t i) { return is_deep(i) || any_near(i, is_deep); };
-    std::vector<char> thin;
+    std::vector<char> thin(solid.rest.size(), 1);
     for (std::int32_t i = 0; i < solid.nodes(); ++i)
-      thin.push_back(is_near_deep(i) || any_near(i, is_near_deep) ? 0 : 1);
+      if (!is_surface(i) && !any_near(i, is_surface)) nth(thin, i) = 0;
+    for (int step = 0; step < 4; ++step) {
+      const std::vector<char> before = thin;
+      for (std::int32_t i = 0; i < solid.nodes(); ++i)
+        if (any_near(i, [&](std::int32_t j) { return nth(before, j) == 0; })) nth(thin, i) = 0;
+    }
     return thin;
   }
 
@@ -132,7 +136,9 @@ class Clearance {
     for (std::size_t i = 0; i < solid.rest.size(); ++i) {
       if (on_limb[i] != 0 || thin[i] != 0) continue;
       const Vec3<S> away = level(solid.rest[i] - axis_);
-      const S far = std::max(away.norm() - half, half);  // cubes reach beyond the surface
+      // Cubes reach beyond the surface, which a hand may graze at a hip, but never in the face.
+      const bool is_face = head_ >= 0 && solid.rest[i].y() > neck_;
+      const S far = std::max(is_face ? away.norm() + half : away.norm(), half);
       const S width = S(columns / 4) * half / std::max(away.norm(), half);
       const S at = direction(away), y = solid.rest[i].y() - low_;
       const int first = static_cast<int>((y - half) / row_), last = static_cast<int>((y + half) / row_);
