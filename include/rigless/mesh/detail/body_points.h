@@ -51,13 +51,18 @@ class BodyReader {
   bool is_named(BodyRole role) const { return named(role) != nullptr; }
 
   // Of two that belong together one is on each side, however near they are to the middle; those of a body in mid stride
-  // may cross it, but begin on their side.
+  // may cross it, but begin well apart.
   std::int32_t side_of(const Tip<S>& tip) const {
-    const auto x = [&](std::int32_t node) {
-      return body_.symmetric() ? body_.place(node).x()
-                               : body_.stand(find_limb(body_.graph, node, S(0.7) * body_.tall).base).x();
-    };
-    return x(tip.node) > x(nth(tips_, tip.partner).node) ? 1 : -1;
+    const std::int32_t other = nth(tips_, tip.partner).node;
+    S apart = body_.place(tip.node).x() - body_.place(other).x();
+    if (!body_.symmetric()) {
+      const auto base = [&](std::int32_t node) {
+        return body_.stand(find_limb(body_.graph, node, S(0.7) * body_.tall).base).x();
+      };
+      const S bases = base(tip.node) - base(other);
+      if (std::abs(bases) > S(0.1)) apart = bases;
+    }
+    return apart > S(0) ? 1 : -1;
   }
 
   // The tip that a landmark means, or where there is none what is nearest to it; nothing that another limb means.
