@@ -9,10 +9,11 @@ const mirror = ([x, y, z]) => [-x, y, z];
 export const POSES = { t: 0, a: 45, hanging: 80 };
 
 /**
- * Places of a person 1.7 m tall, facing +z, its left at +x. gap: between the legs, metres; out: how far the shoulders lie out.
+ * Places of a person 1.7 m tall, facing +z, its left at +x. gap: between the legs, metres; out: how far the shoulders lie out;
+ * stride: how far the left foot and the right hand are forward, and the others back.
  * Gives { joints, bones }: bones are { name, a, b, ra, rb } with radii.
  */
-export function person(pose = "a", { gap = 0.06, out = 0.2 } = {}) {
+export function person(pose = "a", { gap = 0.06, out = 0.2, stride = 0 } = {}) {
   const angle = (POSES[pose] * Math.PI) / 180;
   const arm = [Math.cos(angle), -Math.sin(angle), 0];
   const leg = gap / 2 + 0.075;
@@ -28,6 +29,17 @@ export function person(pose = "a", { gap = 0.06, out = 0.2 } = {}) {
   };
   const joints = { hips: [0, 0.96, 0], chest: [0, 1.26, 0], neck: [0, 1.42, 0], head: [0, 1.58, 0.01] };
   for (const [name, place] of Object.entries(left)) Object.assign(joints, { [`left-${name}`]: place, [`right-${name}`]: mirror(place) });
+  for (const [name, share] of [
+    ["elbow", -0.5],
+    ["wrist", -0.9],
+    ["hand", -1],
+    ["knee", 0.5],
+    ["ankle", 1],
+    ["toe", 1],
+  ]) {
+    joints[`left-${name}`] = add(joints[`left-${name}`], [0, 0, share * stride]);
+    joints[`right-${name}`] = add(joints[`right-${name}`], [0, 0, -share * stride]);
+  }
   const side = (s) =>
     [
       ["upper-arm", "shoulder", "elbow", 0.055, 0.045],
@@ -98,14 +110,14 @@ export function surfaceOf(field, step) {
   return polygonise(field, [field.low.map((x) => x - grow), field.high.map((x) => x + grow)], step);
 }
 
-/** A horse 1.5 m tall with four legs, facing +z; near: how far apart its front hooves are. */
-export function horse({ near = 0.22 } = {}) {
+/** A horse 1.5 m tall with four legs, facing +z; near: how far apart its front hooves are; stride: how far each is forward or back. */
+export function horse({ near = 0.22, stride = 0 } = {}) {
   const legs = [
-    ["left-forefoot", near / 2, 0.42],
-    ["right-forefoot", -near / 2, 0.42],
-    ["left-hindfoot", 0.12, -0.45],
-    ["right-hindfoot", -0.12, -0.45],
-  ].map(([name, x, z]) => ({ name, a: [x, 0.78, z], b: [x, 0.06, z], ra: 0.085, rb: 0.042 }));
+    ["left-forefoot", near / 2, 0.42, stride],
+    ["right-forefoot", -near / 2, 0.42, -stride],
+    ["left-hindfoot", 0.12, -0.45, -0.6 * stride],
+    ["right-hindfoot", -0.12, -0.45, 0.8 * stride],
+  ].map(([name, x, z, step]) => ({ name, a: [x, 0.78, z], b: [x, 0.06, z + step], ra: 0.085, rb: 0.042 }));
   const bones = [
     { name: "barrel", a: [0, 0.86, 0.36], b: [0, 0.88, -0.38], ra: 0.2, rb: 0.21 },
     { name: "neck", a: [0, 0.98, 0.45], b: [0, 1.33, 0.66], ra: 0.13, rb: 0.085 },

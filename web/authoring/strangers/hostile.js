@@ -499,6 +499,8 @@ const MAKE = {
   "loose-hands": looseHands,
   horse: () => horseOf("a horse, one closed surface", {}, { bones: [tail], limbs: { tail: tail.b } }),
   "hooves-near": () => horseOf("a horse whose front hooves nearly touch", { near: 0.13 }),
+  "horse-striding": () => horseOf("a horse in mid stride", { stride: 0.24 }, { bones: [tail], limbs: { tail: tail.b } }),
+  "person-striding": () => surfacePerson("a person in mid stride", "hanging", { out: 0.22, stride: 0.3 }),
   "horse-shells": () => horseOf("a horse of shells", {}, { shells: true, bones: [tail, ...ears], limbs: { tail: tail.b } }),
   winged,
   bird,

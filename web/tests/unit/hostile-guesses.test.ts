@@ -2,6 +2,7 @@
 
 import { afterAll, beforeAll, expect, test } from "vitest";
 
+import { person } from "../../authoring/strangers/bodies.js";
 import { glbBytes, HOSTILE, type HostileModel, objText } from "../../authoring/strangers/hostile.js";
 import { createNodeEngine } from "../../src/engine/node";
 import type { Engine, ShapeAnalysis } from "../../src/engine/types";
@@ -39,6 +40,26 @@ test.each(Object.entries(FOUND))("%s", async (_, make) => {
   const [hands, feet] = [limbsOf(made, "hand"), limbsOf(made, "foot")];
   if (hands.length > 0) expect(sides(found, "hand")).toEqual(hands);
   if (feet.length > 0) expect(sides(found, "foot", "foreleg")).toEqual(feet);
+});
+
+test("an arm that is named and hangs beside the hips ends at its hand, not at the foot below", async () => {
+  const { joints } = person("hanging", { out: 0.16 });
+  const made = HOSTILE["person-hanging"]();
+  const model = await readModel([{ name: "person.obj", bytes: new TextEncoder().encode(objText(made)) }]);
+  const landmarks = (["left", "right"] as const).flatMap((side) =>
+    (["hand", "foot"] as const).map((role) => ({
+      role,
+      side: side === "left" ? (1 as const) : (-1 as const),
+      position: joints[`${side}-${role === "hand" ? "hand" : "toe"}`].map((x, k) => (k === 0 ? 0.7 * x : x)) as [number, number, number], // a little inside
+    })),
+  );
+  const found = await engine.analyseShape({ ...shapeInput(model), landmarks });
+  const heights = (role: string): number[] =>
+    found.points.filter((point) => point.role === role).map(({ vertex }) => model.positions[3 * vertex + 1]);
+  expect(heights("hand")).toHaveLength(2);
+  for (const y of heights("hand")) expect(y).toBeGreaterThan(0.6);
+  expect(heights("foot")).toHaveLength(2);
+  for (const y of heights("foot")) expect(y).toBeLessThan(0.15);
 });
 
 test("parts that are named say where arms end that lie against the trunk", async () => {
