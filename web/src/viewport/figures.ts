@@ -194,13 +194,13 @@ export class Figures {
 }
 
 /** Nobody could tell how the model looks: better seen as clay than not at all. */
-function clay(error: unknown): null {
+export function clay(error: unknown): null {
   console.warn(error);
   return null;
 }
 
 /** Wide enough for the model to turn a little. */
-function modelWidth(rest: Float32Array): number {
+export function modelWidth(rest: Float32Array): number {
   const extent = (axis: number): number => {
     let low = Infinity;
     let high = -Infinity;
