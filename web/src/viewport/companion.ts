@@ -6,9 +6,8 @@ import type { Standing } from "../util/standing";
 import { Emitter } from "../util/emitter";
 import type { CameraRig } from "./camera-rig";
 import { ContactShadow } from "./contact-shadow";
-import { clay, modelWidth } from "./figures";
 import { FloorHandle } from "./floor-handle";
-import { ModelFigure } from "./model-figure";
+import { clay, ModelFigure } from "./model-figure";
 import type { Scenery } from "./scenery";
 import { VertexBody } from "./vertex-body";
 
@@ -31,6 +30,8 @@ export class StageCompanion extends Emitter<CompanionEvents> implements Companio
   private readonly handle: FloorHandle;
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private figure: ModelFigure | null = null;
+  /** Of its width. */
+  private half = 0;
   private awaited: DrawnModel | null = null;
   private readonly feet = new Vector3();
   private place = { x: 0, z: 0 };
@@ -62,6 +63,7 @@ export class StageCompanion extends Emitter<CompanionEvents> implements Companio
     if (this.awaited !== model) return figure.dispose();
     this.clear();
     this.figure = figure;
+    this.half = figure.width / 2;
     figure.show();
     this.group.add(figure.group);
     this.frame();
@@ -140,10 +142,8 @@ export class StageCompanion extends Emitter<CompanionEvents> implements Companio
     const { scenery, rig } = this.stage;
     const { model, beside } = scenery;
     if (!this.figure) return;
-    const { body } = this.figure;
-    const half = modelWidth(body.outline(body.rest)) / 2;
-    const left = Math.min(-model.width / 2, this.place.x - half);
-    const right = Math.max(model.width / 2, this.place.x + half);
+    const left = Math.min(-model.width / 2, this.place.x - this.half);
+    const right = Math.max(model.width / 2, this.place.x + this.half);
     Object.assign(beside, { width: right - left - model.width, middle: (left + right) / 2 });
     scenery.arrange();
     rig.setContent(scenery.content);
