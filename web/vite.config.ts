@@ -31,7 +31,7 @@ export default defineConfig({
     assetsInlineLimit: 0, // data: addresses would need a weaker content-security-policy
     chunkSizeWarningLimit: 1000,
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: "shared", test: /\/src\/.*(joint-names|stage-transform|placement|constants)\.ts$/ }] } },
+      output: { codeSplitting: { groups: [{ name: "index", test: /\/src\/main\.ts$/ }] } }, // what is loaded first is one file
     },
     modulePreload: { polyfill: false }, // browsers without it fetch a little later
   },

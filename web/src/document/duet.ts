@@ -4,8 +4,8 @@ import { clipName, saidOf } from "./clips";
 import type { Command } from "./store";
 import type { ClipEdits, Companion, Dancer, MotionRef, Offset, ProjectDocument } from "./types";
 
-/** Where a companion stands who was not put anywhere: beside the one in hand, on the left. */
-export const BESIDE: Offset = { seconds: 0, place: [1.6, 0], yaw: 0 };
+/** Where a companion stands who was not put anywhere: at the left of the one in hand, as far from the eye as that is. */
+export const BESIDE: Offset = { seconds: 0, place: [1.6, -0.15], yaw: 0 };
 
 /** What of a document is its dancer in hand. */
 export function dancerOf({ version: _, name: __, companion: ___, ...dancer }: ProjectDocument): Dancer {

@@ -3,6 +3,8 @@
 import { Vector3 } from "three";
 import type { CameraRig } from "./camera-rig";
 
+/** Keys within such a time are one step. */
+const BURST_MS = 800;
 /** Metres that a key moves by. */
 const STEP = 0.1;
 const KEYS: Readonly<Record<string, readonly [x: number, z: number]>> = {
@@ -19,8 +21,9 @@ export class FloorHandle {
   private readonly abort = new AbortController();
   /** Where on the floor the hand took it. */
   private readonly from = new Vector3();
-  /** By how much keys have moved it since the first of them went down. */
+  /** By how much a burst of keys has moved it. */
   private keyed: [number, number] | null = null;
+  private resting: ReturnType<typeof setTimeout> | undefined;
 
   /** `move`: by so many metres since it was taken. It lies over the canvas. */
   constructor(
@@ -52,7 +55,7 @@ export class FloorHandle {
     button.addEventListener("pointermove", (event) => this.drag(event), { signal });
     for (const name of ["pointerup", "pointercancel"] as const) button.addEventListener(name, (event) => this.drop(event), { signal });
     button.addEventListener("keydown", (event) => this.key(event), { signal });
-    for (const name of ["keyup", "blur"] as const) button.addEventListener(name, () => this.endKeys(), { signal });
+    button.addEventListener("blur", () => this.endKeys(), { signal });
     canvas.after(button);
   }
 
@@ -113,9 +116,12 @@ export class FloorHandle {
     const [x, z] = this.keyed ?? [0, 0];
     this.keyed = [x + by[0], z + by[1]];
     this.move({ x: this.keyed[0], z: this.keyed[1], held: true });
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.endKeys(), BURST_MS);
   }
 
   private endKeys(): void {
+    clearTimeout(this.resting);
     if (!this.keyed) return;
     const [x, z] = this.keyed;
     this.keyed = null;

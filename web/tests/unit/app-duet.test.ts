@@ -34,7 +34,7 @@ test("somebody comes, dances beside at the same moments, and goes; all of it can
   expect(session.document.companion?.mesh.file).toBe("lamp.glb");
   expect(duet.name).toBe("Lamp");
   await expect.poll(() => stage.beside?.model).not.toBeNull();
-  expect(stage.beside?.place).toEqual([1.6, 0]);
+  expect(stage.beside?.place).toEqual([1.6, -0.15]);
   player.seek(12);
   expect(stage.beside?.shape).toBe(duet.workspace?.cache.at(12)?.shape);
   expect(stage.shape).toBe(session.context.workspace.cache.at(12)?.shape);
@@ -47,7 +47,7 @@ test("somebody comes, dances beside at the same moments, and goes; all of it can
   const here = stage.beside?.standing;
   stage.beside?.emit("move", { x: 0.5, z: -1, held: true });
   stage.beside?.emit("move", { x: 0.5, z: -0.25, held: false });
-  expect(session.document.companion?.offset).toEqual({ seconds: 0.1, place: [2.1, -0.25], yaw: 0 });
+  expect(session.document.companion?.offset).toEqual({ seconds: 0.1, place: [2.1, -0.4], yaw: 0 });
   expect(stage.beside?.standing?.x).toBeCloseTo((here?.x ?? 0) + 0.5);
 
   session.selection.setPanel("model");
@@ -74,7 +74,7 @@ test("who is taken in hand changes places with the other one", async () => {
   const { session, duet } = await paired();
   duet.swap();
   expect([session.document.mesh.file, duet.companion?.mesh.file]).toEqual(["lamp.glb", "cactus.glb"]);
-  expect(session.document.companion?.offset.place).toEqual([-1.6, 0]);
+  expect(session.document.companion?.offset.place).toEqual([-1.6, 0.15]);
   await expect.poll(() => session.context.workspace.model === session.context.model).toBe(true);
   await solved(duet);
   expect(duet.workspace?.performance?.frames).toBe(30);

@@ -28,6 +28,7 @@ export class DuetCard extends SessionElement {
     css`
       :host { display: block; border-top: 1px solid var(--line); margin-top: 8px; padding: 8px 8px 0; }
       h3 { display: flex; justify-content: space-between; align-items: center; gap: 8px; font: var(--t-strong); min-height: var(--hit); }
+      rigless-switch { display: block; margin: 8px 0; }
       h3 span { min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
       .rows { display: grid; gap: 8px; padding: 4px 0; }
       .row-acts .btn { flex: 1; }
@@ -43,7 +44,8 @@ export class DuetCard extends SessionElement {
           <button class="btn line" aria-expanded=${this.choosing} @click=${this.choose}>${this.choosing ? "Close" : "Add"}</button></h3>
         ${this.choosing ? this.renderChoice() : ""}`;
     return html`<h3><span>${duet.name} dances beside</span>
-        <button class="btn icon" aria-label="Remove ${duet.name}" title="Remove it" @click=${() => duet.remove()}>${icon("close")}</button></h3>
+        <button class="btn icon" aria-label="Remove ${duet.name}" title="Remove it" @click=${() => duet.remove()}
+          >${icon("close")}</button></h3>
       <div class="row-acts">
         <button class="btn line" title="${duet.name} gets the points, poses and settings" @click=${() => duet.swap()}>Take in hand</button>
         <button class="btn line" aria-expanded=${this.choosing} @click=${this.choose}>${this.choosing ? "Close" : "Somebody else"}</button>
@@ -123,11 +125,19 @@ export class DuetCard extends SessionElement {
 
   private readonly choose = (): void => {
     this.choosing = !this.choosing;
-    void this.session.accompany().then(() => this.requestUpdate());
+    void this.session.accompany().then(() => this.look());
   };
 
   /** Somebody came, or could not. */
   private readonly done = (): void => {
     this.choosing = this.choosing && this.session.document.companion === undefined;
+    void this.look();
   };
+
+  /** What has opened is seen. */
+  private async look(): Promise<void> {
+    this.requestUpdate();
+    await this.updateComplete;
+    this.scrollIntoView({ block: "nearest" });
+  }
 }
