@@ -83,7 +83,7 @@ export class Duet {
 
   /** Dances beside from now on, if an engine can take it: rejects with EngineError, and everything is as it was. */
   private async bring(companion: Companion, { signal, progress }: JobHandle): Promise<void> {
-    const { history } = this.context;
+    const { history, selection } = this.context;
     const candidate = companionDocument({ ...history.document, companion });
     const fresh = this.dance === null;
     if (!candidate) return;
@@ -94,6 +94,7 @@ export class Duet {
       throw error;
     }
     history.apply(setCompanion(companion));
+    selection.endIntro();
   }
 
   remove(): void {

@@ -144,7 +144,7 @@ describe("rigless bake", () => {
       { name: "kick.bvh", bytes: read("motions/kick.bvh") },
     ];
     writeFileSync(join(folder, "duet.rigless"), saveProject(duet, files));
-    const run = await rigless("bake", "duet.rigless", "--out", "duet.glb", "--json", "--to", "1", "--profile", "morph", "--every", "10");
+    const run = await rigless("bake", "duet.rigless", "--out", "duet.glb", "--json", "--to", "0.4", "--profile", "morph", "--every", "10");
     expect(run.code, run.stderr).toBe(0);
     expect((await validateBytes(bytesOf("duet.glb"))).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
     const { json } = await openGlb(bytesOf("duet.glb"));
@@ -153,11 +153,11 @@ describe("rigless bake", () => {
     // The same beside the files that it names.
     for (const { name, bytes } of files) writeFileSync(join(folder, name), bytes);
     writeFileSync(join(folder, "project.json"), serializeProject(duet));
-    const again = await rigless("bake", "project.json", "--out", "again.glb", "--to", "1", "--profile", "morph", "--every", "10", "-q");
+    const again = await rigless("bake", "project.json", "--out", "again.glb", "--to", "0.4", "--profile", "morph", "--every", "10", "-q");
     expect(again.code, again.stderr).toBe(0);
     expect(bytesOf("again.glb")).toEqual(bytesOf("duet.glb"));
     const more = [asset("motions/kick.bvh"), asset("motions/folk.bvh")];
-    const alone = await rigless("bake", "project.json", ...more, "--out", "alone.glb", "--to", "1", "--profile", "morph", "--every", "10");
+    const alone = await rigless("bake", "project.json", ...more, "--out", "alone.glb", "--to", "0.4", "--profile", "morph", "--every", "10");
     expect(alone.stderr).toContain("lamp dances beside to one motion, so it is left out.");
     expect((await openGlb(bytesOf("alone.glb"))).json.meshes).toHaveLength(1);
   });
