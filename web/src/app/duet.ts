@@ -30,6 +30,8 @@ export interface DuetHelpers extends PartnerHelpers {
 export interface Seen {
   readonly shape: Shape;
   readonly standing: Standing;
+  /** How far the dance in hand comes in a round, x and z. */
+  readonly way: readonly [number, number];
 }
 
 export class Duet {
@@ -52,7 +54,10 @@ export class Duet {
   ) {
     const { player, signals, workspace } = context;
     this.partners = new Partners(context, helpers, ports, (...companion) => this.bring(...companion));
-    player.on("again", () => this.rounds++);
+    player.on("again", () => {
+      this.rounds++;
+      this.stage?.beginAgain(...this.way);
+    });
     player.on("sought", () => {
       this.rounds = 0;
       this.show();
@@ -126,13 +131,14 @@ export class Duet {
     if (!companion || !document || !dance) return null;
     const { performance } = dance;
     const [x, z] = companion.offset.place;
-    if (!performance || !hand) return rest && { shape: rest, standing: { x, z, yaw: companion.offset.yaw } };
+    const { way } = this;
+    if (!performance || !hand) return rest && { shape: rest, standing: { x, z, yaw: companion.offset.yaw }, way };
     const { frame, round } = this.beat(seconds);
     const { speed = 1, loop = false } = saidOf(document);
     const shape = dance.cache.at(frame)?.shape ?? dance.cache.nearest(frame)?.shape ?? rest;
     const length = Math.max(1, performance.frames - Number(loop)) / FPS / speed;
     const behind = (rounds * this.context.player.length) / length;
-    return shape && { shape, standing: standingOf(companion.offset, hand, performance, round - behind) };
+    return shape && { shape, standing: standingOf(companion.offset, hand, performance, round - behind), way };
   }
 
   /** The same once its frame is that of the present dance. */
@@ -152,6 +158,11 @@ export class Duet {
   /** Its own dance, for a file. */
   get workspace(): Workspace | null {
     return this.dance;
+  }
+
+  private get way(): readonly [number, number] {
+    const { travel } = this.context.performance ?? {};
+    return travel ? [(travel.at(-3) ?? 0) - travel[0], (travel.at(-1) ?? 0) - travel[2]] : [0, 0];
   }
 
   private beat(seconds: number): { frame: number; round: number } {

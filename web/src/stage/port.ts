@@ -77,6 +77,8 @@ export interface CompanionPort {
   setModel(model: DrawnModel): Promise<void>;
   /** In its own world; drawn at the next animation frame. */
   setShape(shape: Shape, standing: Standing): void;
+  /** The model begins anew with the next shape, so far back: the companion goes on from where it is. */
+  beginAgain(x: number, z: number): void;
   /** Where it begins, from where the model begins: what is framed does not move before that does. */
   setPlace(x: number, z: number): void;
   /** What a handle at its feet is called; null: it has none. */

@@ -6,7 +6,12 @@ import type { Standing } from "../util/standing";
 export interface Moment {
   readonly shape: Float32Array;
   /** Of whoever dances beside. */
-  readonly companion?: { readonly shape: Float32Array; readonly standing: Standing } | null;
+  readonly companion?: {
+    readonly shape: Float32Array;
+    readonly standing: Standing;
+    /** How far the model comes in a round, x and z. */
+    readonly way: readonly [number, number];
+  } | null;
   /** J x 3; null where there is no human. */
   readonly pose: Float32Array | null;
   /** The clip begins anew with this moment. */

@@ -3,6 +3,7 @@
 import { Group, Mesh, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
 import type { CompanionEvents, CompanionPort, DrawnModel, Shape } from "../stage/port";
 import type { Standing } from "../util/standing";
+import { FPS } from "../util/constants";
 import { Emitter } from "../util/emitter";
 import type { CameraRig } from "./camera-rig";
 import { ContactShadow } from "./contact-shadow";
@@ -10,6 +11,9 @@ import { FloorHandle } from "./floor-handle";
 import { clay, ModelFigure } from "./model-figure";
 import type { Scenery } from "./scenery";
 import { VertexBody } from "./vertex-body";
+
+/** Of a slip what is left a frame later. */
+const SLIPS = Math.exp(-1 / FPS / 0.25);
 
 /** What of the stage a companion needs. */
 export interface CompanionStage {
@@ -35,6 +39,11 @@ export class StageCompanion extends Emitter<CompanionEvents> implements Companio
   private awaited: DrawnModel | null = null;
   private readonly feet = new Vector3();
   private place = { x: 0, z: 0 };
+  /** Where its middle is, in the model's world. */
+  private readonly ground = new Vector3();
+  /** How far from its place it is still drawn since the model began anew. */
+  private readonly slip = new Vector3();
+  private again: Vector3 | null = null;
 
   constructor(private readonly stage: CompanionStage) {
     super();
@@ -71,31 +80,26 @@ export class StageCompanion extends Emitter<CompanionEvents> implements Companio
   }
 
   setShape(shape: Shape, standing: Standing): void {
-    const { figure, group, shadow, ring } = this;
+    const { figure, group, shadow, ring, ground } = this;
     const { scenery, rig } = this.stage;
     if (!figure?.body.takes(shape)) return;
     figure.setShape(shape);
     group.position.set(standing.x, 0, standing.z);
     group.rotation.y = standing.yaw;
-    group.updateMatrix();
-    const outline = figure.body.outline(shape).slice();
-    const at = new Vector3();
-    const ground = new Vector3();
-    scenery.beside.top = 0;
-    for (let v = 0; v < outline.length; v += 3) {
-      at.fromArray(outline, v).applyMatrix4(group.matrix).toArray(outline, v);
-      ground.addScaledVector(at, 3 / outline.length);
-      scenery.beside.top = Math.max(scenery.beside.top, at.y);
-    }
+    const outline = this.stand(figure.body.outline(shape));
     shadow.begin(ground.x, ground.z);
     for (let v = 0; v < outline.length; v += 3) shadow.add(outline[v]!, outline[v + 1]!, outline[v + 2]!, 0);
     shadow.end();
     shadow.mesh.visible = true;
-    ring.position.set(ground.x, 0.002, ground.z);
+    ring.position.set(ground.x + this.slip.x, 0.002, ground.z + this.slip.z);
     this.keepInSight(ground);
     scenery.arrange();
     if (!this.handle.held) rig.setContent(scenery.content);
     this.stage.invalidate();
+  }
+
+  beginAgain(x: number, z: number): void {
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.again = this.ground.clone().add(this.slip).sub({ x, y: 0, z });
   }
 
   setPlace(x: number, z: number): void {
@@ -129,6 +133,31 @@ export class StageCompanion extends Emitter<CompanionEvents> implements Companio
     scenery.arrange();
     this.stage.rig.setContent(scenery.content);
     this.stage.invalidate();
+  }
+
+  /** Places of the shape in the model's world, where the group is put; finds its middle and its top. */
+  private stand(places: Float32Array): Float32Array {
+    const { group, ground, slip } = this;
+    const { beside } = this.stage.scenery;
+    const out = places.slice();
+    const at = new Vector3();
+    group.updateMatrix();
+    ground.setScalar(0);
+    beside.top = 0;
+    for (let v = 0; v < out.length; v += 3) {
+      at.fromArray(out, v).applyMatrix4(group.matrix).toArray(out, v);
+      ground.addScaledVector(at, 3 / out.length);
+      beside.top = Math.max(beside.top, at.y);
+    }
+    if (this.again) slip.subVectors(this.again, ground).setY(0);
+    else slip.multiplyScalar(SLIPS);
+    this.again = null;
+    group.position.add(slip);
+    for (let v = 0; v < out.length; v += 3) {
+      out[v]! += slip.x;
+      out[v + 2]! += slip.z;
+    }
+    return out;
   }
 
   private clear(): void {

@@ -136,7 +136,10 @@ export class StageStudio implements Studio {
     const { scenery, figures } = this.stage;
     const { model } = figures;
     if (!model?.body.takes(shape)) throw new Error("The model has changed meanwhile.");
-    if (again) scenery.beginAgain();
+    if (again) {
+      scenery.beginAgain();
+      if (companion) this.stage.beside?.beginAgain(...companion.way);
+    }
     figures.setShape(shape);
     if (pose) figures.setPose(pose);
     figures.take();

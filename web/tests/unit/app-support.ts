@@ -163,6 +163,7 @@ export class PaperCompanion extends Emitter<CompanionEvents> implements Companio
     this.shape = shape;
     this.standing = standing;
   }
+  beginAgain(): void {}
   setPlace(x: number, z: number): void {
     this.place = [x, z];
   }
