@@ -61,11 +61,12 @@ export default defineConfig({
       },
     },
     {
-      name: "shorter", // what a minifier leaves alone, being text: our styles, and the indentation of markup and shaders
+      name: "shorter", // what a minifier leaves alone, being text: our styles, the indentation of markup and shaders, and remarks in these
       apply: "build",
       transform: (code, id) => (/\/src\/.*\.ts$/.test(id) ? code.replace(/\bcss(?: = )?`[^`]+`/g, shorterStyles) : null),
       generateBundle(_, bundle) {
-        for (const part of Object.values(bundle)) if (part.type === "chunk") part.code = part.code.replace(/\n[ \t\n]+/g, "\n");
+        for (const part of Object.values(bundle))
+          if (part.type === "chunk") part.code = part.code.replace(/\n[ \t\n]+/g, "\n").replace(/\n\/\/[^`\n]*(?=\n)/g, "");
       },
     },
     {
