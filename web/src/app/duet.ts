@@ -13,6 +13,7 @@ import { restMaps } from "../util/solid-cells";
 import type { Standing } from "../util/standing";
 import { stem } from "../util/words";
 import type { Context } from "./context";
+import type { Dragging } from "./dragging";
 import { drawnModel } from "./drawn-model";
 import type { JobHandle } from "./jobs";
 import { type PartnerHelpers, Partners } from "./partners";
@@ -23,6 +24,7 @@ import type { Presenter } from "./presenter";
 const MOST_BYTES = 150e6;
 
 export interface DuetHelpers extends PartnerHelpers {
+  readonly dragging: Dragging;
   readonly presenter: Presenter;
 }
 
@@ -37,10 +39,10 @@ export interface Seen {
 export class Duet {
   /** Who may come. */
   readonly partners: Partners;
-  /** Its dance is being solved. */
-  solving = false;
   private dance: Workspace | null = null;
   private stage: CompanionPort | null = null;
+  /** The same before it is there. */
+  private staging: Promise<CompanionPort> | null = null;
   /** What shows while there is no dance. */
   private rest: Shape | null = null;
   /** How often the dance in hand has gone round since somebody set the playhead. */
@@ -64,6 +66,16 @@ export class Duet {
     });
     signals.on("frame", () => this.show());
     signals.on("document", () => this.follow());
+    let held = false;
+    signals.on("drag", () => {
+      if (held === (helpers.dragging.active !== null)) return;
+      held = !held; // the hand needs all of the machine
+      if (held) this.dance?.hold();
+      else this.dance?.release();
+    });
+    signals.on("travel", () => {
+      this.slide = null;
+    });
     signals.on("panel", () => this.nameHandle());
     signals.on("stage", () => void this.stand());
     workspace.on("performance", () => this.show());
@@ -190,20 +202,15 @@ export class Duet {
     dance.on("mesh", () => void this.stand());
     dance.on("performance", () => this.show());
     dance.on("frame", () => this.show());
-    dance.on("busy", (busy) => {
-      this.solving = busy;
-      context.signals.tell("duet");
-    });
     dance.on("failed", (error) => context.notices.say({ bad: true, title: `${this.name} cannot dance so.`, text: error.message }));
     return dance;
   }
 
-  private close(): void {
+  close(): void {
     this.dance?.close();
-    this.stage?.dispose();
-    this.dance = this.stage = this.rest = null;
-    this.solving = false;
-    this.context.signals.tell("duet");
+    if (this.stage) this.stage.dispose();
+    else void this.staging?.then((stage) => stage.dispose());
+    this.dance = this.stage = this.staging = this.rest = null;
   }
 
   /** Puts the model on the stage. */
@@ -215,18 +222,20 @@ export class Duet {
     const solid = dance.report?.solid ?? null;
     const drawn = drawnModel(source.model, companion.mesh, solid);
     this.rest = solid ? restMaps(solid) : drawn.rest;
-    const stage = this.stage ?? (await whole.companion());
-    if (this.dance !== dance) return stage.dispose();
-    if (!this.stage) {
-      this.stage = stage;
-      stage.on("move", ({ x, z, held }) =>
-        this.move("place", ({ place }) => ({ place: [centimetres(place[0] + x), centimetres(place[1] + z)] }), held),
-      );
-    }
+    const staging = (this.staging ??= whole.companion());
+    const stage = await staging;
+    if (this.staging !== staging) return;
+    if (!this.stage) stage.on("move", ({ x, z, held }) => this.drag(x, z, held));
+    this.stage = stage;
     stage.setPlace(...companion.offset.place);
     this.nameHandle();
     await stage.setModel(drawn);
     this.show();
+  }
+
+  private drag(x: number, z: number, held: boolean): void {
+    if (!held && this.slide?.key !== "place") return; // it was taken back meanwhile
+    this.move("place", ({ place }) => ({ place: [centimetres(place[0] + x), centimetres(place[1] + z)] }), held);
   }
 
   private show(): void {

@@ -100,6 +100,7 @@ export class Session {
   close(): void {
     this.context.player.pause();
     this.context.workspace.close();
+    this.duet?.close();
     this.presenter.close();
   }
 

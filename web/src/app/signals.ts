@@ -43,7 +43,7 @@ export interface Topics {
   clips: void;
   /** The file that is to be taken along, or how far it is. */
   export: void;
-  /** Whoever dances beside is being solved, or no longer, or is chosen and not there yet. */
+  /** Who is to dance beside was chosen, or has come. */
   duet: void;
   /** Another song plays with the dance, or none, or it is muted or not. */
   song: void;

@@ -85,6 +85,26 @@ test("who is taken in hand changes places with the other one", async () => {
   expect([session.document.mesh.file, duet.companion?.mesh.file]).toEqual(["cactus.glb", "lamp.glb"]);
 });
 
+test("one may dance with oneself", async () => {
+  const { session, stage, duet } = await paired();
+  await duet.partners.usePerformer(performer(session, "Cactus"));
+  await solved(duet);
+  expect(duet.companion?.mesh.file).toBe(session.document.mesh.file);
+  expect(duet.workspace?.performance?.controls).toEqual(session.performance?.controls);
+  await expect.poll(() => stage.beside?.model?.document).toBe(stage.model?.document);
+  duet.swap();
+  expect(session.document.companion?.points).toEqual(session.document.points);
+});
+
+test("a move that was taken back stays so when the hand lets go", async () => {
+  const { session, stage } = await paired();
+  await expect.poll(() => stage.beside).not.toBeNull();
+  stage.beside?.emit("move", { x: 1, z: 0, held: true });
+  session.history.undo();
+  stage.beside?.emit("move", { x: 1, z: 0, held: false });
+  expect(session.document.companion?.offset.place).toEqual([1.6, -0.15]);
+});
+
 test("who cannot come changes nothing, and that is said", async () => {
   const { session, duet, ports } = await paired();
   const before = session.document;
