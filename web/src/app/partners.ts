@@ -2,10 +2,12 @@
 
 import * as commands from "../document/commands";
 import { BESIDE, companionOf, setCompanionMotion } from "../document/duet";
+import { boundsOf } from "../document/stage-transform";
 import type { Companion, MeshRef, ProjectDocument } from "../document/types";
 import { DocumentError } from "../document/project";
 import { openProject } from "../io/project-file";
 import { sortFiles } from "../io/sort-files";
+import { meshInput } from "../sync/translate";
 import { stem } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
@@ -20,6 +22,9 @@ import type { MotionEntry } from "./motions";
 import type { Opening } from "./opening";
 import type { PickedFile, Ports } from "./ports";
 import type { Sources } from "./sources";
+
+/** Metres between two who stand still. */
+const GAP = 0.2;
 
 export interface PartnerHelpers {
   readonly cast: Cast;
@@ -51,7 +56,7 @@ export class Partners {
       const left = document.mesh.file === file ? document : cast.remembered(file);
       const own = left ?? (character && (await opening.character(character)));
       if (!own) throw new Error("It is not here any more.");
-      return companionOf(own, this.offset, null);
+      return companionOf(own, this.offsetOf(own), null);
     });
   }
 
@@ -61,7 +66,7 @@ export class Partners {
     if (!keeping) return;
     await this.come(id, name, async (job) => {
       const own = await keeping.borrow(id, job);
-      return companionOf(own, this.offset, own.motion);
+      return companionOf(own, this.offsetOf(own), own.motion);
     });
   }
 
@@ -86,9 +91,20 @@ export class Partners {
     }
   }
 
-  /** Where whoever is there stands, so that the next one takes that place. */
-  private get offset(): Companion["offset"] {
-    return this.context.document.companion?.offset ?? BESIDE;
+  /** Where whoever is there stands; else beside the one in hand, and not in its arms. */
+  private offsetOf({ mesh }: ProjectDocument): Companion["offset"] {
+    const { document, workspace } = this.context;
+    const { companion } = document;
+    if (companion) return companion.offset;
+    const widths = [document.mesh, mesh].map((one) => {
+      const model = workspace.library.model(one.file);
+      const { min, max } = boundsOf(model ? meshInput(model, one).positions : []);
+      return max[0] - min[0];
+    });
+    const [x, z] = BESIDE.place;
+    const apart = Math.max(1, Math.ceil(20 * ((widths[0] + widths[1]) / 2 + GAP)) / 20 / x);
+    const centimetres = (metres: number): number => Math.round(100 * metres) / 100;
+    return { ...BESIDE, place: [centimetres(apart * x), centimetres(apart * z)] };
   }
 
   private async fromFiles(picked: readonly PickedFile[], job: JobHandle): Promise<Companion> {
@@ -101,7 +117,8 @@ export class Partners {
       const model = await this.ports.readModel(opened.modelFiles, reading(job));
       const file = sources.addModel(document.mesh.file, model, modelFiles(opened.modelFiles));
       const files = sources.addMotion(document.motion.files, opened.motion);
-      return companionOf({ ...document, mesh: { ...document.mesh, file } }, this.offset, { files });
+      const own = { ...document, mesh: { ...document.mesh, file } };
+      return companionOf(own, this.offsetOf(own), { files });
     }
     const [first] = sorted.models;
     if (!first) throw new DocumentError(sorted.problems[0] ?? "It holds neither a model nor a project.");
@@ -114,7 +131,7 @@ export class Partners {
     const mesh: MeshRef = { file, ...guess.mesh, solve: "solid" };
     const bare = commands.newDocument(stem(file), mesh, this.context.document.motion);
     const own: ProjectDocument = commands.addPoints(guess.points, guess.roles)(bare);
-    return companionOf(own, this.offset, null);
+    return companionOf(own, this.offsetOf(own), null);
   }
 
   /** Of several choices the newest wins. What cannot come says so, and everything is as it was. */

@@ -32,7 +32,7 @@ export class DuetCard extends SessionElement {
       h3 span { min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
       .rows { display: grid; gap: 8px; padding: 4px 0; }
       .row-acts .btn { flex: 1; }
-      .gallery { margin: 4px 0; }
+      .gallery { margin: 4px -8px; }
     `,
   ];
 
