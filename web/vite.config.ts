@@ -31,7 +31,7 @@ export default defineConfig({
     assetsInlineLimit: 0, // data: addresses would need a weaker content-security-policy
     chunkSizeWarningLimit: 1000,
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: "shared", test: /\/src\/.*(joint-names|stage-transform|placement|constants)\.ts$/ }] } },
+      output: { codeSplitting: { groups: [{ name: "index", test: /\/src\/main\.ts$/ }] } }, // what is loaded first is one file
     },
     modulePreload: { polyfill: false }, // browsers without it fetch a little later
   },
@@ -61,11 +61,12 @@ export default defineConfig({
       },
     },
     {
-      name: "shorter", // what a minifier leaves alone, being text: our styles, and the indentation of markup and shaders
+      name: "shorter", // what a minifier leaves alone, being text: our styles, the indentation of markup and shaders, and remarks in these
       apply: "build",
       transform: (code, id) => (/\/src\/.*\.ts$/.test(id) ? code.replace(/\bcss(?: = )?`[^`]+`/g, shorterStyles) : null),
       generateBundle(_, bundle) {
-        for (const part of Object.values(bundle)) if (part.type === "chunk") part.code = part.code.replace(/\n[ \t\n]+/g, "\n");
+        for (const part of Object.values(bundle))
+          if (part.type === "chunk") part.code = part.code.replace(/\n[ \t\n]+/g, "\n").replace(/\n\/\/[^`\n]*(?=\n)/g, "");
       },
     },
     {

@@ -3,6 +3,7 @@
 import { basename } from "node:path";
 
 import type { ProjectDocument } from "../src/document/types";
+import type { MotionInput } from "../src/engine/types";
 import type { FoundClip } from "../src/io/clips/found-clip";
 import { count } from "../src/io/count";
 import { formatNamed } from "../src/io/formats";
@@ -21,6 +22,8 @@ export interface BakeInputs {
   readonly model: Model;
   /** One at least. */
   readonly motions: readonly FoundMotion[];
+  /** Who dances beside; the motion only where it has one of its own. */
+  readonly beside: { readonly model: Model; readonly motion: MotionInput | null } | null;
 }
 
 export interface Asked {
@@ -45,19 +48,25 @@ export function openInputs(asked: Asked, binding: Binding, signal: AbortSignal):
 
 async function openProject(asked: Asked, signal: AbortSignal): Promise<BakeInputs> {
   const [path, ...more] = asked.inputs;
-  const { document, modelFiles, motion } = await loadProject(path);
+  const { document, modelFiles, motion, beside } = await loadProject(path);
   if (document.points.length === 0) throw new FileError(`${basename(path)}: points is empty; at least one is needed to dance.`);
   const own = { files: document.motion.files, input: motion };
   const motions =
     more.length > 0 ? await motionsOf(asked, await loadMotions(more), signal) : asked.all ? await motionsOfProject(path, own) : [own];
   const model = await readModelInThread(modelFiles, reading(asked, signal));
-  const vertices = model.positions.length / 3;
-  if (document.points.length > vertices) {
-    throw new FileError(
-      `${basename(path)} has ${count(document.points.length, "point")}, but ${model.name} only ${count(vertices, "vertex", "vertices")}.`,
-    );
-  }
-  return { document, model, motions };
+  checkPoints(basename(path), document, model);
+  const { companion } = document;
+  if (!companion || !beside) return { document, model, motions, beside: null };
+  const other = await readModelInThread(beside.modelFiles, reading(asked, signal));
+  checkPoints(basename(path), companion, other);
+  return { document, model, motions, beside: { model: other, motion: beside.motion } };
+}
+
+/** Errors (FileError): it has fewer vertices. */
+function checkPoints(project: string, { points }: Pick<ProjectDocument, "points">, { name, positions }: Model): void {
+  const vertices = positions.length / 3;
+  if (points.length <= vertices) return;
+  throw new FileError(`${project} has ${count(points.length, "point")}, but ${name} only ${count(vertices, "vertex", "vertices")}.`);
 }
 
 /** A model and motions without a project: what a project would say is guessed. */
@@ -79,7 +88,7 @@ async function guessed(asked: Asked, binding: Binding, signal: AbortSignal): Pro
     `guessed ${count(document.points.length, "point")}: ` +
       `${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
   );
-  return { document, model, motions };
+  return { document, model, motions, beside: null };
 }
 
 function reading({ progress }: Asked, signal: AbortSignal, step = "Reading the model"): ThreadOptions {

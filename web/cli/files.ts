@@ -26,10 +26,15 @@ export async function loadProject(path: string): Promise<OpenedProject> {
   if (text === null) throw new FileError(`${name} is neither a project.json nor a saved project.`);
   const { document } = parseProject(text, name);
   const folder = dirname(path);
-  const model = await read(ownPath(folder, document.mesh.file), document.mesh.file, name);
-  const motion = await Promise.all(document.motion.files.map((file) => read(ownPath(folder, file), file, name)));
-  const beside = await readBeside(model, dirname(ownPath(folder, document.mesh.file)));
-  return openProject([{ ...project, name: "project.json" }, model, ...beside, ...motion]);
+  const { companion } = document;
+  const files: NamedFile[] = [];
+  for (const { mesh, motion } of companion ? [document, companion] : [document]) {
+    const model = await read(ownPath(folder, mesh.file), mesh.file, name);
+    const beside = await readBeside(model, dirname(ownPath(folder, mesh.file)));
+    files.push(model, ...beside, ...(await Promise.all((motion?.files ?? []).map((file) => read(ownPath(folder, file), file, name)))));
+  }
+  const named = new Map(files.map((file) => [file.name, file])); // both may name one
+  return openProject([{ ...project, name: "project.json" }, ...named.values()]);
 }
 
 /** Its own motion first, then all others that lie beside it: in the saved project, or in the motion's folder. */

@@ -1,12 +1,16 @@
 // rigless bake: a project, or a model and motions, to an animated GLB and the dance as numbers.
 
+import { basename } from "node:path";
+
 import { saidOf } from "../../src/document/clips";
+import { companionDocument } from "../../src/document/duet";
 import type { ProjectDocument } from "../../src/document/types";
 import { createNodeEngine } from "../../src/engine/node";
 import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { FPS, type Motion } from "../../src/engine/types";
 import { count } from "../../src/io/count";
 import { everyFor, exportDance, keptOf, lengthsOf, sayLikeness, sayReplaced, sizeFault } from "../../src/io/export-dance";
+import { type DanceBeside, exportDuet } from "../../src/io/export-duet";
 import { formatNamed, listed } from "../../src/io/formats";
 import { PACES, paced } from "../../src/io/pace";
 import type { Likeness, Profile } from "../../src/io/profile";
@@ -135,6 +139,8 @@ const stem = (name: string): string => name.replace(/\.[^.]*$/, "");
 interface Danced {
   readonly document: ProjectDocument;
   readonly baked: Bake;
+  /** Whoever dances beside. */
+  readonly beside: DanceBeside | null;
 }
 
 /** One motion after the other, each told when it is done. */
@@ -169,10 +175,36 @@ async function danceAll(
     for (const note of [...(n === 0 ? model.notes : []), ...baked.motion.notes, ...pairingNotes(document, baked.motion), ...pinNotes])
       progress.note(note);
     clips.push({ name: nameOf(inputs, motions, input.name), frames: paced(baked.frames, command.fps, speed) });
-    last = { document, baked };
+    last = { document, baked, beside: null };
   }
   if (!last) throw new UsageError("There is no motion to bake.");
   return { clips, last };
+}
+
+/** Whoever dances beside, to one motion only; null: nobody does. */
+async function danceBeside(
+  { progress, inPlace }: BakeCommand,
+  { beside, motions }: BakeInputs,
+  { document: hand }: Danced,
+  binding: Binding,
+  signal: AbortSignal,
+): Promise<DanceBeside | null> {
+  const [document, companion] = [companionDocument(hand), hand.companion];
+  if (!beside || !document || !companion) return null;
+  const name = stem(basename(document.mesh.file));
+  if (motions.length > 1) {
+    progress.note(`${name} dances beside to one motion, so it is left out.`);
+    return null;
+  }
+  const own = inPlace ? { ...document, settings: { ...document.settings, inPlace } } : document;
+  const baked = await bake(
+    binding,
+    own,
+    { model: beside.model, motion: beside.motion ?? motions[0].input },
+    { signal, onProgress: (step, done) => progress.step(`${name}: ${step}`, done) },
+  );
+  for (const note of pairingNotes(own, baked.motion)) progress.note(`${name}: ${note}`);
+  return { document: own, offset: companion.offset, model: beside.model, name, frames: baked.frames };
 }
 
 /** One motion alone is called as its model is. */
@@ -192,6 +224,7 @@ async function writeGlb(
   command: BakeCommand & { out: string },
   { document, model }: BakeInputs,
   clips: readonly Clip[],
+  { baked, beside }: Danced,
   outputs: OutputFiles,
   signal: AbortSignal,
 ): Promise<Report> {
@@ -205,7 +238,9 @@ async function writeGlb(
     onProgress: (done: number) => progress.step("Writing", done),
   };
   const dance = { name, model, mesh: document.mesh, points: document.points, clips, fps };
-  const { bytes: glb, likeness } = await exportDance(dance, every, tools, profile);
+  const { bytes: glb, likeness } = beside
+    ? await exportDuet(dance, baked.frames, beside, every, tools, profile)
+    : await exportDance(dance, every, tools, profile);
   await outputs.add(out, glb);
   const kept = keptOf(lengthsOf(clips), every);
   progress.done(
@@ -241,7 +276,15 @@ async function runBake(command: BakeCommand, signal: AbortSignal): Promise<void>
     if (track !== null && inputs.motions.length > 1) throw new UsageError("--track holds one motion, but there are several.");
     const { clips, last } = await danceAll(command, inputs, binding, signal);
     let report: Report = { bytes: null, ...figures(null) };
-    if (out !== null) report = await writeGlb({ ...command, out }, inputs, clips, outputs, signal);
+    if (out !== null)
+      report = await writeGlb(
+        { ...command, out },
+        inputs,
+        clips,
+        { ...last, beside: await danceBeside(command, inputs, last, binding, signal) },
+        outputs,
+        signal,
+      );
     if (track !== null) {
       const { document, baked } = last;
       await outputs.add(track, new TextEncoder().encode(serializeTrack(trackOf(document, inputs.model, baked))));

@@ -1,8 +1,10 @@
 // What a dance is taken away as: a model of which size and likeness are seen before it is saved, or a film. Not part of the first load.
 
 import { saidOf } from "../document/clips";
+import { companionDocument } from "../document/duet";
 import type { ProjectDocument } from "../document/types";
 import type { Frame } from "../engine/types";
+import type { DanceBeside } from "../io/export-duet";
 import { everyFor, exportDance, keptOf, lengthsOf, sayReplaced, sayHolding } from "../io/export-dance";
 import { PACES, paced } from "../io/pace";
 import type { Likeness, Profile } from "../io/profile";
@@ -14,6 +16,7 @@ import { isAbort } from "./aborts";
 import type { Builtins } from "./builtins";
 import type { Cast } from "./cast";
 import type { Context } from "./context";
+import type { Duet } from "./duet";
 import { errorText } from "./error-words";
 import { Filming } from "./filming";
 import { Linking } from "./linking";
@@ -32,6 +35,7 @@ export interface ExportHelpers {
   readonly presenter: Presenter;
   readonly cast: Cast;
   readonly song: Song | null;
+  readonly duet: Duet | null;
 }
 
 /** What is taken away. */
@@ -177,10 +181,17 @@ export class Exporting {
     const onProgress = (done: number): void => progress("Fit and write", FITTING + (1 - FITTING) * done);
     onProgress(0);
     const tools = { buildSkin: this.ports.buildSkin, buildMorphs: this.ports.buildMorphs, signal, onProgress };
-    const { bytes, likeness } = await exportDance({ name, model, mesh, points, clips, fps: wish.fps }, every, tools, wish.profile);
+    const hand = { name, model, mesh, points, clips, fps: wish.fps };
+    const [only] = clips.length === 1 ? dances : [];
+    const beside = only && (await this.danceBeside(document, signal));
+    const { bytes, likeness } = beside
+      ? await (await import("../io/export-duet")).exportDuet(hand, only, beside, every, tools, wish.profile)
+      : await exportDance(hand, every, tools, wish.profile);
     signal.throwIfAborted();
     const replaced = sayReplaced(model);
+    const { duet } = this.helpers;
     const notes = [
+      ...(duet?.companion && !beside ? [`${duet.name} dances to one motion, so it is not in this file.`] : []),
       ...(replaced ? [replaced] : []),
       ...(left.length > 0 ? [`${left.join(", ")}: none of the joints that the points follow, so left out.`] : []),
       ...(every > 1
@@ -214,6 +225,27 @@ export class Exporting {
     );
     signal.throwIfAborted();
     return entries.map((entry) => frames.get(key(entry)) ?? null);
+  }
+
+  /** Whoever dances beside; null: nobody does. */
+  private async danceBeside(document: ProjectDocument, signal: AbortSignal): Promise<DanceBeside | null> {
+    const { duet, sources } = this.helpers;
+    const workspace = duet?.workspace;
+    const [other, companion] = [companionDocument(document), document.companion];
+    if (!duet || !workspace || !other || !companion) return null;
+    const known = workspace.library.model(other.mesh.file);
+    const source = known && sources.of(known);
+    if (!source) throw new Error(`${duet.name} is not there yet.`);
+    const inPlace = this.wish.inPlace === document.settings.inPlace ? other.settings.inPlace : this.wish.inPlace;
+    let frames: Frame[] = [];
+    await workspace.eachDance(
+      [{ ...other, settings: { ...other.settings, inPlace } }],
+      () => true,
+      (_, made) => (frames = made ?? []),
+      () => ({ signal }),
+    );
+    signal.throwIfAborted();
+    return { document: other, offset: companion.offset, model: source.model, name: duet.name, frames };
   }
 
   private async load({ files, builtin }: MotionEntry): Promise<void> {

@@ -1,13 +1,13 @@
 import * as commands from "../document/commands";
 import type { Gesture } from "../document/store";
-import type { MeshRef } from "../document/types";
+import type { Companion, MeshRef } from "../document/types";
 import { EngineError } from "../engine/types";
 import type { FormatKind } from "../io/format";
 import { formatOf } from "../io/formats";
 import type { Model } from "../io/model";
 import { baseName } from "../io/named-file";
 import type { NamedFile } from "../io/named-file";
-import { openProject } from "../io/project-file";
+import { type OpenedProject, openProject } from "../io/project-file";
 import type { FoundMotion } from "../io/read-motion-files";
 import { type SortedFiles, sortFiles } from "../io/sort-files";
 import { pairingNotes } from "../sync/pairing";
@@ -76,11 +76,13 @@ export class FileOpening {
     job.step(2);
     const files = sources.addMotion(opened.document.motion.files, opened.motion);
     const file = sources.addModel(opened.document.mesh.file, model, modelFiles(opened.modelFiles));
-    const document = { ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files } };
+    const companion = await this.companion(opened, job);
+    const document = { ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files }, ...(companion && { companion }) };
     const taken = await this.steps.change(() => document, job, gesture);
     const namesOf = (names: readonly string[]): string => names.map(baseName).join();
     for (const other of motions)
-      if (namesOf(other.files) !== namesOf(opened.document.motion.files)) sources.addMotion(other.files, other.input);
+      if (![opened.document.motion, opened.document.companion?.motion].some((own) => own && namesOf(other.files) === namesOf(own.files)))
+        sources.addMotion(other.files, other.input);
     const { history, selection } = this.context;
     history.markSaved();
     selection.endIntro();
@@ -91,6 +93,16 @@ export class FileOpening {
       text: [...model.notes, ...pairing].join(" "),
       actions: [history.undoAction()],
     });
+  }
+
+  /** Whoever dances beside in a project, with the names that our library has for its files. */
+  private async companion({ document: { companion }, beside }: OpenedProject, job: JobHandle): Promise<Companion | null> {
+    const { sources } = this.openers;
+    if (!companion || !beside) return null;
+    const model = await this.ports.readModel(beside.modelFiles, reading(job));
+    const file = sources.addModel(companion.mesh.file, model, modelFiles(beside.modelFiles));
+    const motion = companion.motion && beside.motion && { files: sources.addMotion(companion.motion.files, beside.motion) };
+    return { ...companion, mesh: { ...companion.mesh, file }, ...(motion && { motion }) };
   }
 
   /** Answers the model if it was opened. */
@@ -171,11 +183,11 @@ export class FileOpening {
 const NOT_BESIDE: readonly (FormatKind | undefined)[] = ["motion", "skeleton", "project"];
 
 /** A model's own file, and what lies beside it. */
-function modelFiles([own, ...others]: readonly NamedFile[]): NamedFile[] {
+export function modelFiles([own, ...others]: readonly NamedFile[]): NamedFile[] {
   const beside = others.filter((other) => !NOT_BESIDE.includes(formatOf(other)?.kind));
   return own ? [own, ...beside] : beside;
 }
 
-function reading({ signal, progress }: JobHandle): { signal: AbortSignal; onProgress: (done: number) => void } {
+export function reading({ signal, progress }: JobHandle): { signal: AbortSignal; onProgress: (done: number) => void } {
   return { signal, onProgress: progress };
 }

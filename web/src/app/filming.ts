@@ -5,6 +5,7 @@ import { FPS } from "../util/constants";
 import { bytes as sizeOf, seconds as sayTime } from "../util/words";
 import { isAbort } from "./aborts";
 import type { Context } from "./context";
+import type { Duet } from "./duet";
 import { errorText } from "./error-words";
 import type { KeptSong, Ports } from "./ports";
 import type { Presenter } from "./presenter";
@@ -78,7 +79,7 @@ export class Filming {
     private readonly context: Context,
     private readonly presenter: Presenter,
     private readonly ports: Pick<Ports, "files">,
-    private readonly music: { readonly song: Song | null },
+    private readonly beside: { readonly song: Song | null; readonly duet: Duet | null },
   ) {
     context.signals.on("document", () => this.stop());
   }
@@ -96,7 +97,7 @@ export class Filming {
 
   /** What plays with the dance. */
   get song(): KeptSong | null {
-    return this.music.song?.kept ?? null;
+    return this.beside.song?.kept ?? null;
   }
 
   want(change: Partial<FilmWish>): void {
@@ -225,7 +226,9 @@ export class Filming {
     const { frame } = context.player;
     const shape = context.workspace.cache.nearest(frame)?.shape;
     if (!shape) throw new Error("There is no dance yet.");
-    const picture = await (await this.studio()).picture(this.shot(shrinks), { shape, pose: this.poseAt(frame), again: false });
+    const companion = this.beside.duet?.at(context.player.seconds, 0) ?? null;
+    const moment = { shape, companion, pose: this.poseAt(frame), again: false };
+    const picture = await (await this.studio()).picture(this.shot(shrinks), moment);
     context.signals.tell("frame");
     return picture;
   }
@@ -243,7 +246,8 @@ export class Filming {
     }
     const shape = workspace.cache.at(frame)?.shape;
     if (!shape) throw new Error("The dance was not solved, so there is nothing to film.");
-    return { shape, pose: this.poseAt(frame), again: n > 0 && round(n) !== round(n - 1) };
+    const companion = (await this.beside.duet?.freshAt(n / FPS, round(n), signal)) ?? null;
+    return { shape, companion, pose: this.poseAt(frame), again: n > 0 && round(n) !== round(n - 1) };
   }
 
   private poseAt(frame: number): Float32Array | null {

@@ -1,6 +1,7 @@
 // Nothing is lost: the browser keeps the project after each step, with everything that was done in it, and a page that is opened
 // again goes on where it was.
 
+import { companionDocument } from "../document/duet";
 import { parseProject, serializeProject, VERSION } from "../document/project";
 import type { ProjectDocument } from "../document/types";
 import { isAbort } from "./aborts";
@@ -131,6 +132,19 @@ export class Keeping {
     this.context.notices.say({ title: `${work.name} is no longer kept.`, actions: [{ label: "Undo", run: () => void back() }] });
   }
 
+  /** A project that is kept, with its model and motions at hand; it is not opened. Errors: it is not kept any more, or cannot be read. */
+  async borrow(id: string, { signal, progress }: JobHandle): Promise<ProjectDocument> {
+    const { sources } = this.keepers;
+    const work = await (await this.shelf).load(id);
+    if (!work) throw new Error("It is not kept any more.");
+    const document = this.read(work.steps.present, work.name);
+    for (const { files, input } of work.motions) sources.addMotion(files, input);
+    const files = work.models.find(([own]) => own?.name === document.mesh.file);
+    if (!files) throw new Error("Its model is gone.");
+    const model = await this.ports.readModel(files, { signal, onProgress: progress });
+    return { ...document, mesh: { ...document.mesh, file: sources.addModel(document.mesh.file, model, files) } };
+  }
+
   async refresh(): Promise<void> {
     this.list = await (await this.shelf).list();
     this.context.signals.tell("kept");
@@ -175,13 +189,14 @@ export class Keeping {
     const steps = { past: past.slice(-MOST_STEPS), present, future: future.slice(-MOST_STEPS) };
     const away = cast.away;
     const documents = [...steps.past, present, ...steps.future, ...away];
-    const models = [...new Set(documents.map(({ mesh }) => mesh.file))].flatMap((file) => {
+    const dancers = documents.flatMap((document) => [document, companionDocument(document) ?? []].flat());
+    const models = [...new Set(dancers.map(({ mesh }) => mesh.file))].flatMap((file) => {
       const model = library.model(file);
       const source = model && sources.of(model);
       return source ? [source.files] : [];
     });
     const ours = new Set(builtins.motions.map(({ file }) => file));
-    const played = new Set(documents.map(({ motion }) => motion.files.join("\n")));
+    const played = new Set(dancers.map(({ motion }) => motion.files.join("\n")));
     const motions = library.motionFiles.flatMap((files) => {
       const input = library.motion(files);
       const needed = played.has(files.join("\n")) || !ours.has(files.at(-1) ?? "");
@@ -207,12 +222,15 @@ export class Keeping {
       const [own] = files;
       if (own) sources.addModel(own.name, await this.ports.readModel(files, { signal, onProgress: progress }), files);
     }
-    const read = (document: ProjectDocument): ProjectDocument => parseProject(serializeProject(document), work.name).document;
-    const current = work.version === VERSION;
-    const present = read(work.steps.present);
+    const current = work.version <= VERSION; // documents of version 1 are documents of this one
+    const present = this.read(work.steps.present, work.name);
     this.context.history.restore(current ? { ...work.steps, present } : { past: [], present, future: [] });
-    cast.restore(current ? work.away : work.away.map(read));
+    cast.restore(current ? work.away : work.away.map((document) => this.read(document, work.name)));
     await this.restoreSong(work.song ?? null);
+  }
+
+  private read(document: ProjectDocument, name: string): ProjectDocument {
+    return parseProject(serializeProject(document), name).document;
   }
 
   private become(id: string | null): void {

@@ -47,6 +47,7 @@ export class Linking {
     const { document, workspace } = this.context;
     const { builtins, cast, motions } = this.helpers;
     const character = cast.present?.character;
+    if (document.companion) return none("A link holds one dancer, and here are two.");
     if (!character) return none("A link holds what differs from one of our characters, and this model is your own.");
     if (!motions.list.some((entry) => entry.builtin && motions.isPlaying(entry)))
       return none("A link holds motions by name, and this one is your own.");

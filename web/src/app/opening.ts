@@ -50,7 +50,10 @@ export class Opening {
       if (!own || !isNewest()) return;
       job.step(1);
       const { saved } = history;
-      await this.steps.change(({ motion, settings: { inPlace } }) => ({ ...own, motion, settings: { ...own.settings, inPlace } }), job);
+      await this.steps.change(
+        ({ motion, companion, settings: { inPlace } }) => ({ ...own, motion, companion, settings: { ...own.settings, inPlace } }),
+        job,
+      );
       if (saved) history.markSaved();
     });
   }
@@ -72,7 +75,7 @@ export class Opening {
   }
 
   /** The project of a character of ours, its model kept. */
-  private async character(character: Character): Promise<ProjectDocument> {
+  async character(character: Character): Promise<ProjectDocument> {
     const { builtins, sources } = this.openers;
     const { document, bytes } = await builtins.load(character);
     const files = [{ name: document.mesh.file, bytes }];

@@ -11,6 +11,7 @@ import { Contacts } from "./contacts";
 import { Context } from "./context";
 import { Coverage } from "./coverage";
 import { Dragging } from "./dragging";
+import type { Duet } from "./duet";
 import { Guesses } from "./guesses";
 import type { History } from "./history";
 import { Jobs } from "./jobs";
@@ -64,12 +65,15 @@ export class Session {
 
   /** Here once a song came. */
   song: Song | null = null;
+  /** Here once somebody danced beside. */
+  duet: Duet | null = null;
 
   private kept: Promise<Keeping> | undefined;
 
   constructor(private readonly ports: Ports) {
     this.signals.on("document", () => {
       if (this.history.touched && !this.keeping) void this.keep();
+      if (this.document.companion) void this.accompany();
     });
     this.signals.on("song", () => void this.keep());
     this.jobs.on("change", () => this.signals.tell("jobs"));
@@ -96,6 +100,7 @@ export class Session {
   close(): void {
     this.context.player.pause();
     this.context.workspace.close();
+    this.duet?.close();
     this.presenter.close();
   }
 
@@ -126,6 +131,11 @@ export class Session {
   async music(): Promise<Song> {
     const { Song } = await import("./song");
     return (this.song ??= new Song(this.context, this.ports));
+  }
+
+  async accompany(): Promise<Duet> {
+    const { Duet } = await import("./duet");
+    return (this.duet ??= new Duet(this.context, this, this.ports));
   }
 
   private async keep(): Promise<Keeping> {

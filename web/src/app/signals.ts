@@ -43,6 +43,8 @@ export interface Topics {
   clips: void;
   /** The file that is to be taken along, or how far it is. */
   export: void;
+  /** Who is to dance beside was chosen, or has come. */
+  duet: void;
   /** Another song plays with the dance, or none, or it is muted or not. */
   song: void;
   /** The stage was built. */

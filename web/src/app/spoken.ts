@@ -3,6 +3,7 @@
 import { saidOf, startOf } from "../document/clips";
 import type { ClipEdits, ProjectDocument, Settings } from "../document/types";
 import { count, figure, move, stem } from "../util/words";
+import { sayLater } from "./beside-words";
 import type { Context } from "./context";
 import type { Drag, Dragging } from "./dragging";
 
@@ -38,6 +39,7 @@ export class Spoken {
     return [
       before.name === document.name ? "" : `The project is ${document.name}`,
       before.mesh === document.mesh ? "" : stem(document.mesh.file),
+      duet(before, document),
       before.motion === document.motion ? "" : stem(document.motion.files.at(-1) ?? ""),
       points(before, document) || this.poses(before), // a point that goes is forgotten by the poses
       ...settings(before.settings, document.settings),
@@ -92,4 +94,16 @@ function settings(was: Settings, is: Settings): string[] {
 
 function clip(was: ClipEdits, is: ClipEdits): string[] {
   return (Object.keys(CLIP) as (keyof ClipEdits)[]).filter((key) => was[key] !== is[key]).map((key) => CLIP[key](is));
+}
+
+function duet({ companion: was }: ProjectDocument, { companion: is }: ProjectDocument): string {
+  if (was === is) return "";
+  if (!is) return `${stem(was?.mesh.file ?? "")} dances beside no more`;
+  if (was?.mesh !== is.mesh) return `${stem(is.mesh.file)} dances beside`;
+  if (was.motion !== is.motion) return is.motion ? `Beside: ${stem(is.motion.files.at(-1) ?? "")}` : "Beside: the same motion";
+  const [a, b] = [was.offset, is.offset];
+  if (a.seconds !== b.seconds) return `Beside: ${sayLater(b.seconds)}`;
+  if (a.yaw !== b.yaw) return `Beside: turned by ${figure((b.yaw * 180) / Math.PI)} degrees`;
+  const place = move([b.place[0], 0, b.place[1]]);
+  return a.place === b.place ? "Beside: changed" : `Beside: ${place}`;
 }

@@ -3,10 +3,17 @@
 import { pinFault, pointsOfPin } from "./clips";
 import schema from "./project-schema.json";
 import { findFault, withDefaults } from "./schema";
-import type { ClipEdits, ProjectDocument } from "./types";
+import type { ClipEdits, Companion, Dancer, Offset, ProjectDocument } from "./types";
 
-/** Of the format that is written. */
-export const VERSION = 1;
+/** The newest that is read and written. Who dances alone is written as version 1, which older readers know too. */
+export const VERSION = 2;
+
+/** What a file of version 2 holds. */
+interface Duet {
+  readonly name: string;
+  /** The one in hand, and perhaps a companion. */
+  readonly performers: readonly Companion[];
+}
 
 /** A project that cannot be opened. `message` names the file and the field and is made to be shown. */
 export class DocumentError extends Error {
@@ -30,17 +37,36 @@ export function parseProject(text: string, fileName: string): { document: Projec
         `This one reads version ${VERSION}; reload the page or update to open it.`,
     );
   }
-  const fault = findFault(value, schema, schema);
+  const { solo, duet } = schema.$defs;
+  const fault = findFault(value, version === VERSION ? duet : solo, schema);
   if (fault) throw new DocumentError(`${fileName}: ${fault}`);
-  const document = withDefaults(value, schema, schema) as ProjectDocument;
-  const broken = brokenReference(document);
-  if (broken) throw new DocumentError(`${fileName}: ${broken}`);
+  const document =
+    version === VERSION ? fromDuet(withDefaults(value, duet, schema) as Duet) : (withDefaults(value, solo, schema) as ProjectDocument);
+  const broken = typeof document === "string" ? document : brokenReference(document);
+  if (typeof document === "string" || broken) throw new DocumentError(`${fileName}: ${broken}`);
   return { document };
+}
+
+/** Or what is wrong with it. */
+function fromDuet({ name, performers }: Duet): ProjectDocument | string {
+  const { performer, offset } = schema.$defs;
+  const [hand, beside] = performers.map((one) => withDefaults(one, performer, schema) as Companion);
+  const { motion, offset: own, ...dancer } = hand;
+  if (!motion) return "performers[0].motion is missing.";
+  if (own) return "performers[0].offset is not a field that Rigless knows: the other one's is told from where this one is.";
+  for (const [n, one] of [hand, beside].entries()) {
+    const broken = one && brokenReference(one);
+    if (broken) return `performers[${n}].${broken}`;
+  }
+  const document: ProjectDocument = { version: 1, name, ...dancer, motion };
+  if (!beside) return document;
+  return { ...document, companion: { ...beside, offset: beside.offset ?? (withDefaults({}, offset, schema) as Offset) } };
 }
 
 /** The text of a project file: two spaces deep, each list of numbers on one line. */
 export function serializeProject(document: ProjectDocument): string {
-  const text = JSON.stringify(document, null, 2);
+  const { companion, version: _, name, ...dancer } = document;
+  const text = JSON.stringify(companion ? { version: VERSION, name, performers: [dancer, companion] } : document, null, 2);
   // A string of JSON never holds a line break, so this meets lists only.
   return text.replace(/\[\n\s+([-+.\deE,\s]+?)\n\s+\]/g, (_, numbers: string) => `[${numbers.replace(/\s+/g, " ")}]`) + "\n";
 }
@@ -55,7 +81,7 @@ function parseJson(text: string, fileName: string): unknown {
 }
 
 /** What the schema cannot say. */
-function brokenReference({ points, examples, stiff = [], clips = {} }: ProjectDocument): string | null {
+function brokenReference({ points, examples, stiff = [], clips = {} }: Omit<Dancer, "motion">): string | null {
   const ids = new Set<string>();
   for (const [n, { id }] of points.entries()) {
     if (ids.has(id)) return `points[${n}].id is "${id}", which another point has already.`;

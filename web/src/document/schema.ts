@@ -34,6 +34,7 @@ export const KEYWORDS = [
   "minimum",
   "maximum",
   "default",
+  "anyOf", // at the root, where the version chooses
   "$ref",
   "$defs",
   "$schema",
@@ -126,7 +127,7 @@ function objectFault(object: Json, rule: Schema, root: Schema, path: string): st
   for (const [key, value] of Object.entries(object)) {
     const known = rule.properties && Object.hasOwn(rule.properties, key) ? rule.properties[key] : rule.additionalProperties;
     const where = member(path, key);
-    if (known === false) return `${where} is not a field that version 1 knows.`;
+    if (known === false) return `${where} is not a field that Rigless knows.`;
     const fault = typeof known === "object" ? findFault(value, known, root, where) : null;
     if (fault) return fault;
   }

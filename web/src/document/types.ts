@@ -1,5 +1,5 @@
 // What the user said: everything that a project file holds, and nothing that can be computed from it.
-// Immutable. The JSON of a project file is exactly a ProjectDocument; docs/project-format.md explains each field.
+// Immutable. The JSON of a project file with one performer is exactly a ProjectDocument; docs/project-format.md explains each field.
 
 export type Vec3 = readonly [number, number, number];
 
@@ -140,9 +140,8 @@ export interface ClipEdits {
   readonly flights?: readonly (readonly [number, number])[];
 }
 
-export interface ProjectDocument {
-  readonly version: 1;
-  readonly name: string;
+/** Who dances: a model, what moves it, and what it was taught. */
+export interface Dancer {
   readonly mesh: MeshRef;
   readonly motion: MotionRef;
   readonly points: readonly Point[];
@@ -153,4 +152,28 @@ export interface ProjectDocument {
   /** By the motion file's name, without folders. */
   readonly clips?: Readonly<Record<string, ClipEdits>>;
   readonly settings: Settings;
+}
+
+/** When and where somebody dances beside the one in hand. */
+export interface Offset {
+  /** So much later; below 0 earlier. */
+  readonly seconds: number;
+  /** Metres to the left and to the front, as the one in hand looks, from where that one begins. */
+  readonly place: readonly [number, number];
+  /** Radians about the vertical, counter-clockwise from above. */
+  readonly yaw: number;
+}
+
+/** Who dances beside the one in hand. */
+export interface Companion extends Omit<Dancer, "motion"> {
+  /** Left out: the motion of the one in hand, cut and sped up as that is. */
+  readonly motion?: MotionRef;
+  readonly offset: Offset;
+}
+
+/** What there is of the dancer in hand, and who dances beside. */
+export interface ProjectDocument extends Dancer {
+  readonly version: 1;
+  readonly name: string;
+  readonly companion?: Companion | undefined;
 }

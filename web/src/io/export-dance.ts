@@ -22,6 +22,8 @@ export interface Dance {
   readonly clips: readonly Clip[];
   /** Default FPS. */
   readonly fps?: number;
+  /** File units per stage metre; default those of the model's own file. */
+  readonly scale?: number;
 }
 
 /**
@@ -29,7 +31,7 @@ export interface Dance {
  * Errors (ModelError): the file would be too large; EngineError of the tools.
  */
 export async function exportDance(
-  { name, model, mesh, clips, points = [], fps = FPS }: Dance,
+  { name, model, mesh, clips, points = [], fps = FPS, scale }: Dance,
   every: number,
   tools: Tools,
   profile: Profile = PROFILES[0],
@@ -41,7 +43,7 @@ export async function exportDance(
   const stage = stageFor(model, mesh);
   const turned = { ...drawn, normals: turnToStage(stage, drawn.normals) };
   const places = points.map((point) => ({ name: point.name, position: pointToStage(stage, point.position) }));
-  return profile.write({ name, document, drawn: turned, faces, places, rest, clips, fps, scale: 1 / stage.scale, every }, tools);
+  return profile.write({ name, document, drawn: turned, faces, places, rest, clips, fps, scale: scale ?? 1 / stage.scale, every }, tools);
 }
 
 export const lengthsOf = (clips: readonly Clip[]): number[] => clips.map(({ frames }) => frames.length);

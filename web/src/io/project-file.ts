@@ -1,7 +1,7 @@
 // A project as one file (`name.rigless`, a zip) or as project.json beside the files that it names.
 
 import { DocumentError, parseProject, serializeProject } from "../document/project";
-import type { ProjectDocument } from "../document/types";
+import type { Companion, MotionRef, ProjectDocument } from "../document/types";
 import type { MotionInput } from "../engine/types";
 import { listed, modelFormat } from "./formats";
 import { baseName, decodeText, findFile, type NamedFile, normalPath } from "./named-file";
@@ -14,6 +14,8 @@ export interface OpenedProject {
   /** The model's own file first, then everything else: what readModel takes. */
   modelFiles: NamedFile[];
   motion: MotionInput;
+  /** The same of whoever dances beside; the motion only where it has one of its own. */
+  beside: { readonly modelFiles: NamedFile[]; readonly motion: MotionInput | null } | null;
 }
 
 /** What the page calls the file. */
@@ -26,17 +28,21 @@ export function projectFileName(document: ProjectDocument): string {
  * Names keep their folders but never lead upwards. Errors (DocumentError): a file that the project names is not among them.
  */
 export function saveProject(document: ProjectDocument, files: readonly NamedFile[]): Uint8Array<ArrayBuffer> {
-  for (const path of [document.mesh.file, ...document.motion.files]) needed(files, path, "", "The project");
-  const inside: ProjectDocument = {
-    ...document,
-    mesh: { ...document.mesh, file: normalPath(document.mesh.file) },
-    motion: { files: document.motion.files.map(normalPath) },
-  };
+  const { companion } = document;
+  for (const { mesh, motion } of companion ? [document, companion] : [document])
+    for (const path of [mesh.file, ...(motion?.files ?? [])]) needed(files, path, "", "The project");
+  const inside: ProjectDocument = { ...withNormalPaths(document), ...(companion && { companion: withNormalPaths(companion) }) };
   return zip([
     { name: "project.json", bytes: new TextEncoder().encode(serializeProject(inside)) },
     ...files.map(({ name, bytes }) => ({ name: normalPath(name), bytes })),
   ]);
 }
+
+const withNormalPaths = <T extends ProjectDocument | Companion>(dancer: T): T => ({
+  ...dancer,
+  mesh: { ...dancer.mesh, file: normalPath(dancer.mesh.file) },
+  ...(dancer.motion && { motion: { files: dancer.motion.files.map(normalPath) } }),
+});
 
 /**
  * Opens a saved zip, or a project.json among the files that it names.
@@ -50,15 +56,25 @@ export async function openProject(dropped: readonly NamedFile[]): Promise<Opened
   const text = decodeText(project.bytes);
   if (text === null) throw new DocumentError(`${name} is not text, so it is no project.`);
   const { document } = parseProject(text, name);
-  const model = needed(files, document.mesh.file, project.name, name);
-  if (modelFormat(model) === null) throw new DocumentError(`${name} names ${document.mesh.file}, which is no model (${listed("model")}).`);
+  const modelOf = ({ mesh }: ProjectDocument | Companion): NamedFile => {
+    const model = needed(files, mesh.file, project.name, name);
+    if (modelFormat(model) === null) throw new DocumentError(`${name} names ${mesh.file}, which is no model (${listed("model")}).`);
+    return model;
+  };
+  const { companion } = document;
+  const model = modelOf(document);
+  const other = companion && modelOf(companion);
+  const filesOf = (own: NamedFile, not?: NamedFile): NamedFile[] => [own, ...files.filter((file) => file !== own && file !== not)];
+  const dancedTo = (motion: MotionRef): Promise<MotionInput> =>
+    motionOf(
+      name,
+      motion.files.map((path) => needed(files, path, project.name, name)),
+    );
   return {
     document,
-    modelFiles: [model, ...files.filter((file) => file !== model)],
-    motion: await motionOf(
-      name,
-      document.motion.files.map((path) => needed(files, path, project.name, name)),
-    ),
+    modelFiles: filesOf(model, other),
+    motion: await dancedTo(document.motion),
+    beside: other ? { modelFiles: filesOf(other, model), motion: companion?.motion ? await dancedTo(companion.motion) : null } : null,
   };
 }
 

@@ -4,6 +4,7 @@ import type { GltfDocument } from "../gltf/document";
 import type { Drawn } from "../gltf/drawn";
 import type { JointName } from "../skeleton/body-parts";
 import type { SolidCells } from "../util/solid-cells";
+import type { Standing } from "../util/standing";
 import type { Studio } from "./studio";
 
 /** A model as drawn: its document, and where what that shows stands at rest, in stage metres and axes. */
@@ -64,6 +65,27 @@ export interface StageLook {
   note: string;
 }
 
+export interface CompanionEvents {
+  /** The hand takes it so far over the floor from where it was taken, in metres; not `held`: it was let go there. */
+  move: { x: number; z: number; held: boolean };
+}
+
+/** Whoever dances beside the model. */
+export interface CompanionPort {
+  on<K extends keyof CompanionEvents>(name: K, listener: (detail: CompanionEvents[K]) => void): () => void;
+  /** Answers once it can be seen. */
+  setModel(model: DrawnModel): Promise<void>;
+  /** In its own world; drawn at the next animation frame. */
+  setShape(shape: Shape, standing: Standing): void;
+  /** The model begins anew with the next shape, so far back: the companion goes on from where it is. */
+  beginAgain(x: number, z: number): void;
+  /** Where it begins, from where the model begins: what is framed does not move before that does. */
+  setPlace(x: number, z: number): void;
+  /** What a handle at its feet is called; null: it has none. */
+  setHandle(words: string | null): void;
+  dispose(): void;
+}
+
 export interface StageEvents {
   /** The pointer took a dot of the model. */
   "point-grab": { id: string };
@@ -111,6 +133,8 @@ export interface StagePort {
   fit(view?: StageView): void;
   /** Small picture of a shape, local or world, as a data URL. */
   thumbnail(shape: Shape, size: number): string;
+  /** For somebody beside the model, one at a time; not part of the first load. */
+  companion(): Promise<CompanionPort>;
   /** For films of it; not part of the first load. */
   studio(): Promise<Studio>;
   dispose(): void;

@@ -1,8 +1,17 @@
 // Films and pictures of what stands on the stage: said by the app, drawn and encoded by the viewport.
 
+import type { Standing } from "../util/standing";
+
 /** What is seen at one moment, as the stage takes it. */
 export interface Moment {
   readonly shape: Float32Array;
+  /** Of whoever dances beside. */
+  readonly companion?: {
+    readonly shape: Float32Array;
+    readonly standing: Standing;
+    /** How far the model comes in a round, x and z. */
+    readonly way: readonly [number, number];
+  } | null;
   /** J x 3; null where there is no human. */
   readonly pose: Float32Array | null;
   /** The clip begins anew with this moment. */

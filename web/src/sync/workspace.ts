@@ -36,8 +36,6 @@ export interface Taken {
 }
 
 export class Workspace extends Emitter<WorkspaceEvents> {
-  readonly library = new Library();
-  readonly cache = new FrameCache();
   report: MeshReport | null = null;
   motion: Motion | null = null;
   performance: Performance | null = null;
@@ -59,6 +57,8 @@ export class Workspace extends Emitter<WorkspaceEvents> {
   constructor(
     private readonly document: () => ProjectDocument,
     readonly createEngine: () => Engine,
+    readonly library = new Library(),
+    readonly cache = new FrameCache(),
   ) {
     super();
     this.binding = new Binding(createEngine());

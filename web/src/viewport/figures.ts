@@ -3,7 +3,7 @@
 import type { Vector3 } from "three";
 import type { Body } from "./body";
 import { Mannequin } from "./mannequin";
-import { ModelFigure } from "./model-figure";
+import { clay, ModelFigure } from "./model-figure";
 import { HUMAN_WIDTH, type Scenery } from "./scenery";
 import type { SurfacePicker } from "./surface-picker";
 import type { Theme } from "./theme";
@@ -70,7 +70,7 @@ export class Figures {
     this.nextShape ??= this.model.body.rest;
     lane.group.add(this.model.group);
     lane.shadow.mesh.visible = true;
-    this.scenery.setWidth(lane, modelWidth(this.model.body.outline(this.model.shape)));
+    this.scenery.setWidth(lane, this.model.width);
     return this.model;
   }
 
@@ -191,26 +191,6 @@ export class Figures {
     this.picker?.dispose();
     this.mannequin?.dispose();
   }
-}
-
-/** Nobody could tell how the model looks: better seen as clay than not at all. */
-function clay(error: unknown): null {
-  console.warn(error);
-  return null;
-}
-
-/** Wide enough for the model to turn a little. */
-function modelWidth(rest: Float32Array): number {
-  const extent = (axis: number): number => {
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = axis; i < rest.length; i += 3) {
-      low = Math.min(low, rest[i]!);
-      high = Math.max(high, rest[i]!);
-    }
-    return Math.max(0, high - low);
-  };
-  return Math.max(0.6, extent(0), 0.8 * extent(2));
 }
 
 /** Finds where a model is and darkens the ground under its lowest places. */

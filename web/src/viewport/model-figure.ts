@@ -36,6 +36,21 @@ export class ModelFigure {
     this.group.add(this.bodies);
   }
 
+  /** Wide enough for what is drawn to turn a little. */
+  get width(): number {
+    const places = this.body.outline(this.shape);
+    const extent = (axis: number): number => {
+      let low = Infinity;
+      let high = -Infinity;
+      for (let i = axis; i < places.length; i += 3) {
+        low = Math.min(low, places[i]!);
+        high = Math.max(high, places[i]!);
+      }
+      return Math.max(0, high - low);
+    };
+    return Math.max(0.6, extent(0), 0.8 * extent(2));
+  }
+
   /** How the model looks, as its file says; clay where nobody could tell. */
   dress(look: Look | null): void {
     this.look = look;
@@ -114,4 +129,10 @@ function picked(attribute: BufferAttribute | InterleavedBufferAttribute, vertice
     for (let k = 0; k < itemSize; k++) out[itemSize * i + k] = attribute.getComponent(v, k);
   });
   return new BufferAttribute(out, itemSize);
+}
+
+/** Nobody could tell how the model looks: better seen as clay than not at all. */
+export function clay(error: unknown): null {
+  console.warn(error);
+  return null;
 }

@@ -40,6 +40,8 @@ export class Scenery {
   readonly scene = new Scene();
   readonly model = new Lane();
   readonly human = new Lane();
+  /** What stands beside the model: how much wider that makes its lane, and how far its middle is away; how much it is apart and deeper. */
+  readonly beside = { width: 0, middle: 0, apart: 0, depth: 0, top: 0 };
   /** Both figures on one spot. */
   overlay = false;
   content: Content = { width: 2.7, height: PERSON_HEIGHT, depth: 1 };
@@ -95,17 +97,18 @@ export class Scenery {
 
   /** After figures moved: what the camera must keep in the picture, and the shadows to draw anew. */
   arrange(): void {
-    const { model, human } = this;
+    const { model, human, beside } = this;
+    const wide = model.width + beside.width;
     const both = model.width > 0 && human.width > 0;
     const side = both && !this.overlay;
-    const beside = lanes(human.width, model.width);
-    human.xGoal = side ? beside.human : 0;
-    model.xGoal = side ? beside.model : 0;
+    const abreast = lanes(human.width, wide);
+    human.xGoal = side ? abreast.human : -beside.middle;
+    model.xGoal = (side ? abreast.model : 0) - beside.middle;
     const [from, to] = [human.traveller.ground, model.traveller.ground];
     const apart = side ? Math.abs(from.x - to.x) : 0;
-    const behind = side ? Math.abs(from.y - to.y) : 0;
-    const width = (side ? beside.width : Math.max(human.width, model.width, 1)) + apart;
-    const height = Math.max(PERSON_HEIGHT, model.top, human.top) + HEADROOM;
+    const behind = (side ? Math.abs(from.y - to.y) : 0) + beside.depth;
+    const width = (side ? abreast.width : Math.max(human.width, wide, 1)) + apart + beside.apart;
+    const height = Math.max(PERSON_HEIGHT, model.top, human.top, beside.top) + HEADROOM;
     this.content = { width, height, depth: 1 + behind };
     this.lights.fitShadow(width + 0.8, height + 0.4, 2.2 + behind);
     this.travel.aim();

@@ -4,6 +4,7 @@ import { Color } from "three";
 import { nextTask } from "../util/next-task";
 import type { FilmCall, FilmKind, FilmShot, Moment, Shot, Studio } from "../stage/studio";
 import type { CameraRig } from "./camera-rig";
+import type { StageCompanion } from "./companion";
 import type { Figures } from "./figures";
 import { FilmCamera } from "./film-camera";
 import type { Content } from "./framing";
@@ -24,6 +25,7 @@ interface Stage {
   readonly scenery: Scenery;
   readonly figures: Figures;
   readonly rig: CameraRig;
+  readonly beside: StageCompanion | null;
   /** The picture that is due, or 0. */
   frame: number;
   /** Draws at the stage's own size. */
@@ -111,6 +113,7 @@ export class StageStudio implements Studio {
       scene.background = on && plain ? behind : background;
       if (grid) grid.visible = !(on && plain);
       human.group.visible = !(on && shot.alone);
+      this.stage.beside?.hideHandle(on);
       scenery.setWidth(human, on && shot.alone ? 0 : width); // and the stage begins where the figures are
     };
     this.hold();
@@ -129,14 +132,18 @@ export class StageStudio implements Studio {
   }
 
   /** Puts a moment on the stage; answers what of it must be seen. */
-  private arrange({ shape, pose, again }: Moment): Content {
+  private arrange({ shape, companion, pose, again }: Moment): Content {
     const { scenery, figures } = this.stage;
     const { model } = figures;
     if (!model?.body.takes(shape)) throw new Error("The model has changed meanwhile.");
-    if (again) scenery.beginAgain();
+    if (again) {
+      scenery.beginAgain();
+      if (companion) this.stage.beside?.beginAgain(...companion.way);
+    }
     figures.setShape(shape);
     if (pose) figures.setPose(pose);
     figures.take();
+    if (companion) this.stage.beside?.setShape(companion.shape, companion.standing);
     scenery.arrange();
     const beyond = Math.max(0, 2 * reach(model.body.outline(shape), scenery.model.traveller.ground) - scenery.model.width);
     const { width, height, depth } = scenery.content;

@@ -1,10 +1,22 @@
 // The stage as one object: keeps figures, marks, camera and hand together and draws only when something changed.
 
-import type { DrawnHuman, DrawnModel, Insets, PointMark, Shape, StageEvents, StageLook, StagePort, StageView } from "../stage/port";
+import type {
+  CompanionPort,
+  DrawnHuman,
+  DrawnModel,
+  Insets,
+  PointMark,
+  Shape,
+  StageEvents,
+  StageLook,
+  StagePort,
+  StageView,
+} from "../stage/port";
 import type { Studio } from "../stage/studio";
 import { Emitter } from "../util/emitter";
 import { Annotations } from "./annotations";
 import { CameraRig } from "./camera-rig";
+import type { StageCompanion } from "./companion";
 import { PointHand } from "./point-hand";
 import { Figures } from "./figures";
 import { Interaction } from "./interaction";
@@ -31,6 +43,8 @@ export class Viewport implements StagePort {
   private points: readonly PointMark[] = [];
   private selected: string | null = null;
   private movedAt = -Infinity;
+  /** Once somebody danced beside the model. */
+  beside: StageCompanion | null = null;
   private insets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   /** The picture that is due. */
@@ -157,6 +171,10 @@ export class Viewport implements StagePort {
     return url;
   }
 
+  async companion(): Promise<CompanionPort> {
+    return (this.beside = new (await import("./companion")).StageCompanion(this));
+  }
+
   async studio(): Promise<Studio> {
     return new (await import("./studio")).StageStudio(this);
   }
@@ -184,7 +202,7 @@ export class Viewport implements StagePort {
     this.rig.setContent(this.scenery.content);
   }
 
-  private invalidate(): void {
+  invalidate(): void {
     this.pictureStale = true;
     this.refreshMarks();
   }

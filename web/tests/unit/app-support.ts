@@ -17,9 +17,10 @@ import { readClips } from "../../src/io/clips/read-clips";
 import { buildMorphsInNode, buildSkinInNode } from "../../src/engine/skin-node";
 import { normalPath } from "../../src/io/named-file";
 import { readModel } from "../../src/io/read-model";
-import type { Shape, StageEvents, StageLook, StagePort, StageView } from "../../src/stage/port";
+import type { CompanionEvents, CompanionPort, DrawnModel, Shape, StageEvents, StageLook, StagePort, StageView } from "../../src/stage/port";
 import type { FilmShot, Moment, Studio } from "../../src/stage/studio";
 import { Emitter } from "../../src/util/emitter";
+import type { Standing } from "../../src/util/standing";
 
 const ASSETS = new URL("../../assets/", import.meta.url);
 const wasm = (name: string) => new Uint8Array(readFileSync(new URL(`../../src/engine/${name}`, import.meta.url))).buffer;
@@ -118,6 +119,11 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   thumbnail(shape: Shape, size: number): string {
     return `picture of ${shape.length / 3} at ${size}, ${shape.reduce((sum, value) => sum + value, 0).toFixed(3)}`;
   }
+  /** Whoever dances beside, on paper. */
+  beside: PaperCompanion | null = null;
+  async companion(): Promise<PaperCompanion> {
+    return (this.beside = new PaperCompanion());
+  }
   /** Films on paper: what was to be drawn, moment by moment. */
   readonly films: { shot: FilmShot; moments: Moment[] }[] = [];
   async studio(): Promise<Studio> {
@@ -139,6 +145,33 @@ export class PaperStage extends Emitter<StageEvents> implements StagePort {
   }
   dispose(): void {
     this.told.push("dispose");
+  }
+}
+
+export class PaperCompanion extends Emitter<CompanionEvents> implements CompanionPort {
+  model: DrawnModel | null = null;
+  shape: Shape | null = null;
+  standing: Standing | null = null;
+  place: [number, number] | null = null;
+  handle: string | null = null;
+  disposed = false;
+
+  async setModel(model: DrawnModel): Promise<void> {
+    this.model = model;
+  }
+  setShape(shape: Shape, standing: Standing): void {
+    this.shape = shape;
+    this.standing = standing;
+  }
+  beginAgain(): void {}
+  setPlace(x: number, z: number): void {
+    this.place = [x, z];
+  }
+  setHandle(words: string | null): void {
+    this.handle = words;
+  }
+  dispose(): void {
+    this.disposed = true;
   }
 }
 

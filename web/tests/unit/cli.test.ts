@@ -10,7 +10,8 @@ import { build } from "vite";
 import { version } from "../../package.json";
 import { FORMATS } from "../../src/io/formats";
 import { saveProject } from "../../src/io/project-file";
-import { parseProject } from "../../src/document/project";
+import { companionOf, setCompanion } from "../../src/document/duet";
+import { parseProject, serializeProject } from "../../src/document/project";
 import type { Track } from "../../src/io/write-track";
 import { hasShared, PNG, sharedFile } from "../support/files";
 import { openGlb, triangle, valuesOf } from "../support/gltf";
@@ -126,6 +127,51 @@ describe("rigless bake", () => {
     expect((await validateBytes(bytesOf("game.glb"))).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
     expect((await openGlb(bytesOf("game.glb"))).json.skins).toHaveLength(1);
     expect(bytesOf("game.glb").length).toBeLessThan(200_000);
+  });
+
+  it("bakes both dancers of a project into one file, and only the first with several motions", async () => {
+    const asset = (path: string) => join(web, "assets", path);
+    const read = (path: string): Uint8Array => new Uint8Array(readFileSync(asset(path)));
+    const project = (path: string) => parseProject(readFileSync(asset(path), "utf8"), path).document;
+    const hand = project("cactus/project.json");
+    const lamp = project("characters/lamp/project.json");
+    const motion = { files: ["kick.bvh"] };
+    const offset = { seconds: 0.5, place: [1.6, 0], yaw: 0 } as const;
+    const duet = setCompanion(companionOf(lamp, offset, null))({ ...hand, motion });
+    const files = [
+      { name: "cactus.glb", bytes: read("cactus/cactus.glb") },
+      { name: "lamp.glb", bytes: read("characters/lamp/lamp.glb") },
+      { name: "kick.bvh", bytes: read("motions/kick.bvh") },
+    ];
+    writeFileSync(join(folder, "duet.rigless"), saveProject(duet, files));
+    const run = await rigless("bake", "duet.rigless", "--out", "duet.glb", "--json", "--to", "0.4", "--profile", "morph", "--every", "10");
+    expect(run.code, run.stderr).toBe(0);
+    expect((await validateBytes(bytesOf("duet.glb"))).issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+    const { json } = await openGlb(bytesOf("duet.glb"));
+    expect([json.meshes?.length, json.animations?.length]).toEqual([2, 1]);
+
+    // The same beside the files that it names.
+    for (const { name, bytes } of files) writeFileSync(join(folder, name), bytes);
+    writeFileSync(join(folder, "project.json"), serializeProject(duet));
+    const again = await rigless("bake", "project.json", "--out", "again.glb", "--to", "0.4", "--profile", "morph", "--every", "10", "-q");
+    expect(again.code, again.stderr).toBe(0);
+    expect(bytesOf("again.glb")).toEqual(bytesOf("duet.glb"));
+    const more = [asset("motions/kick.bvh"), asset("motions/folk.bvh")];
+    const alone = await rigless(
+      "bake",
+      "project.json",
+      ...more,
+      "--out",
+      "alone.glb",
+      "--to",
+      "0.4",
+      "--profile",
+      "morph",
+      "--every",
+      "10",
+    );
+    expect(alone.stderr).toContain("lamp dances beside to one motion, so it is left out.");
+    expect((await openGlb(bytesOf("alone.glb"))).json.meshes).toHaveLength(1);
   });
 
   it("makes one file of several motions, at the asked pace, and tells a machine of it", async () => {
@@ -333,7 +379,7 @@ describe("what cannot be done", () => {
     expect(await refused({ "project.json": new Uint8Array([1, 0, 2]) })).toBe(
       "project.json is neither a project.json nor a saved project.",
     );
-    expect(await refused({ "project.json": project({ version: 2 }) })).toContain("saved by a newer Rigless (version 2)");
+    expect(await refused({ "project.json": project({ version: 3 }) })).toContain("saved by a newer Rigless (version 3)");
     expect(await refused({ "project.json": project({ points: 3 }) })).toBe(
       "project.json: points should be a list of objects, but it is 3.",
     );

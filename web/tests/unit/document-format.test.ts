@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 
-import { parseProject } from "../../src/document/project";
+import { parseProject, serializeProject } from "../../src/document/project";
 import schema from "../../src/document/project-schema.json";
 import { serializeTrack, type Track, trackOf } from "../../src/io/write-track";
 import { readModel } from "../../src/io/read-model";
@@ -29,12 +29,10 @@ it("the page's project is one, says everything there is to say, and each field i
   const { document } = parseProject(example("project.json"), "project.json");
   expect(document).toEqual(JSON.parse(example("project.json")));
   const said = new Set(fields(document));
-  const { properties, $defs } = schema;
+  const { $defs } = schema;
   const known = [
-    ...Object.keys(properties),
-    ...(["mesh", "motion", "settings"] as const).flatMap((key) =>
-      Object.keys(properties[key].properties).map((inner) => `${key}.${inner}`),
-    ),
+    ...Object.keys($defs.solo.properties),
+    ...(["mesh", "motion", "settings"] as const).flatMap((key) => Object.keys($defs[key].properties).map((inner) => `${key}.${inner}`)),
     ...Object.keys($defs.point.properties).map((key) => `points[].${key}`),
     ...Object.keys($defs.example.properties).map((key) => `examples[].${key}`),
     ...Object.keys($defs.clip.properties).map((key) => `clips.*.${key}`),
@@ -44,6 +42,17 @@ it("the page's project is one, says everything there is to say, and each field i
   expect(known.filter((field) => !said.has(field))).toEqual([]);
   const explained = known.filter((field) => !["mesh", "motion", "settings"].includes(field));
   expect(explained.filter((field) => !page.includes(`| \`${field}\` |`))).toEqual([]);
+});
+
+it("the page's project of two dancers is one, and each field of its own is explained", () => {
+  const { document } = parseProject(example("duet.json"), "duet.json");
+  expect(JSON.parse(serializeProject(document))).toEqual(JSON.parse(example("duet.json")));
+  const known = [
+    "performers",
+    "performers[].offset",
+    ...Object.keys(schema.$defs.offset.properties).map((key) => `performers[].offset.${key}`),
+  ];
+  expect(known.filter((field) => !page.includes(`| \`${field}\` |`))).toEqual([]);
 });
 
 it("the page's track has exactly the fields that are written", async () => {

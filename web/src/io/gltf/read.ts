@@ -24,7 +24,8 @@ export async function readDocument(name: string, file: NamedFile, files: readonl
   return { ...whole, images: imagesOf(whole, file.name, files, notes) };
 }
 
-function split(name: string, bytes: Uint8Array): { json: Gltf; bin: Uint8Array | null } {
+/** A GLB's JSON and bytes, or the JSON of a .gltf. Errors (ModelError): it is neither. */
+export function split(name: string, bytes: Uint8Array): { json: Gltf; bin: Uint8Array | null } {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let text = bytes;
   let bin: Uint8Array | null = null;

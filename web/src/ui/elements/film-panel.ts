@@ -54,6 +54,7 @@ export class FilmPanel extends SessionElement {
     const { wish, state, kinds } = film;
     const making = state.kind === "making";
     const { name } = this.session.cast.present ?? { name: "The model" };
+    const beside = this.session.document.companion && this.session.duet?.name;
     const unable: Record<string, string> = {};
     if (kinds.length > 0 && !kinds.includes("webm")) unable["Transparent"] = "This browser makes no WebM, which alone can be so.";
     const length = this.length ?? wish.seconds;
@@ -64,8 +65,8 @@ export class FilmPanel extends SessionElement {
         FRAMES.map((frame) => [frame.name, wish.frame === frame, () => film.want({ frame })]),
       )}
       ${choiceRow("Shows", [
-        ["Both", !wish.alone, () => film.want({ alone: false })],
-        [name, wish.alone, () => film.want({ alone: true })],
+        [beside ? "All" : "Both", !wish.alone, () => film.want({ alone: false })],
+        [beside ? `${name}, ${beside}` : name, wish.alone, () => film.want({ alone: true })],
       ])}
       ${choiceRow("Camera", [
         ["Yours", !wish.turntable, () => film.want({ turntable: false })],

@@ -5,6 +5,7 @@ import { SessionElement } from "../element";
 import { icon } from "../icons";
 import { base, panel } from "../styles";
 import { count } from "../../util/words";
+import "./duet";
 import { gallery, galleryStyle } from "./gallery";
 import { shelf, shelfStyle } from "./shelf";
 import "./switch";
@@ -54,6 +55,7 @@ export class ModelPanel extends SessionElement {
       </div>
       <rigless-switch label="Carry it by a solid" effect=${solid ? SOLID : SURFACE}
         .on=${solid} @switch=${this.setSolid}></rigless-switch>
+      <rigless-duet .session=${session}></rigless-duet>
       ${session.keeping ? shelf(session.keeping) : ""}
     </section>`;
   }

@@ -10,13 +10,18 @@ export function shelf(keeping: Keeping) {
       <button class="btn line" @click=${() => void keeping.startFresh()}>Start fresh</button></h3>
     ${others.length === 0 ? html`<p class="note">This project is kept after each step.</p>` : ""}
     <ul class="shelf">${others.map(
-      ({ id, name, changed, picture }) => html`<li>
-      <button class="book" title="Open ${name}" @click=${() => void keeping.open(id)}>
-        ${picture ? html`<img src=${picture} alt="" width="40" height="40">` : html`<i>${icon("file")}</i>`}
-        <span>${name}<small>${ago(Date.now() - changed)}</small></span></button>
-      <button class="btn icon" aria-label="Do not keep ${name}" title="Do not keep it" @click=${() => void keeping.remove(id)}>
+      (one) => html`<li>
+      ${book(one, `Open ${one.name}`, () => void keeping.open(one.id))}
+      <button class="btn icon" aria-label="Do not keep ${one.name}" title="Do not keep it" @click=${() => void keeping.remove(one.id)}>
         ${icon("close")}</button></li>`,
     )}</ul>`;
+}
+
+/** A kept project as a button. */
+export function book({ name, changed, picture }: Keeping["list"][number], title: string, choose: () => void) {
+  return html`<button class="book" title=${title} @click=${choose}>
+    ${picture ? html`<img src=${picture} alt="" width="40" height="40">` : html`<i>${icon("file")}</i>`}
+    <span>${name}<small>${ago(Date.now() - changed)}</small></span></button>`;
 }
 
 export const shelfStyle = css`
