@@ -2,7 +2,6 @@
 
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import { person } from "../../authoring/strangers/bodies.js";
 import { glbBytes, HOSTILE, type HostileModel, objText } from "../../authoring/strangers/hostile.js";
 import { createNodeEngine } from "../../src/engine/node";
 import type { Engine, ShapeAnalysis } from "../../src/engine/types";
@@ -43,14 +42,14 @@ test.each(Object.entries(FOUND))("%s", async (_, make) => {
 });
 
 test("an arm that is named and hangs beside the hips ends at its hand, not at the foot below", async () => {
-  const { joints } = person("hanging", { out: 0.16 });
   const made = HOSTILE["person-hanging"]();
   const model = await readModel([{ name: "person.obj", bytes: new TextEncoder().encode(objText(made)) }]);
+  const inside = ([x, y, z]: [number, number, number]): [number, number, number] => [0.6 * x, y, z];
   const landmarks = (["left", "right"] as const).flatMap((side) =>
     (["hand", "foot"] as const).map((role) => ({
       role,
       side: side === "left" ? (1 as const) : (-1 as const),
-      position: joints[`${side}-${role === "hand" ? "hand" : "toe"}`].map((x, k) => (k === 0 ? 0.7 * x : x)) as [number, number, number], // a little inside
+      position: inside(made.truth.limbs[`${side}-${role}`]),
     })),
   );
   const found = await engine.analyseShape({ ...shapeInput(model), landmarks });
