@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1655191335;
+export const ABI = 1429335363;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -476,9 +476,9 @@ export interface RiglessExports {
   motion_parents(motion: Handle): Pointer<Integers>;
   motion_left(motion: Handle): Pointer<Uint8Array>;
   motion_right(motion: Handle): Pointer<Uint8Array>;
-  motion_positions(motion: Handle): Pointer<Float32Array>;
-  motion_local(motion: Handle): Pointer<Float32Array>;
-  motion_yaw(motion: Handle): Pointer<Float32Array>;
+  motion_positions(motion: Handle): Pointer<Float64Array>;
+  motion_local(motion: Handle): Pointer<Float64Array>;
+  motion_yaw(motion: Handle): Pointer<Float64Array>;
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
   performance_constrain(performance: Handle, constraints: Pointer<ConstraintInput>, count: number): void;
@@ -503,6 +503,7 @@ export interface RiglessExports {
     inPlace: number,
     energy: number,
     paper: number,
+    turned: number,
   ): PackedStatus;
   performance_advance(performance: Handle): PackedStatus;
   performance_progress(performance: Handle): number;
