@@ -52,6 +52,13 @@ RIGLESS_EXPORT PackedStatus motion_read(ObjectHandle motion, const char* text, s
   return 0;
 }
 
+// The first frames of a motion that has more, as one that can be danced.
+RIGLESS_EXPORT ObjectHandle motion_beginning(ObjectHandle motion, std::int32_t frames) {
+  const ObjectHandle beginning = motions.add();
+  motions[beginning].staged = rigless::beginning_of(motions[motion].staged, frames);
+  return beginning;
+}
+
 // 1 if what motion_read() refused is the skeleton.
 RIGLESS_EXPORT std::int32_t motion_refused_skeleton(ObjectHandle motion) { return motions[motion].in_skeleton ? 1 : 0; }
 

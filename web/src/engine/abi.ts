@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1429335363;
+export const ABI = 2039636348;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -467,6 +467,7 @@ export interface RiglessExports {
     joints: Pointer<Uint8Array>,
     jointsBytes: number,
   ): PackedStatus;
+  motion_beginning(motion: Handle, frames: number): Handle;
   motion_refused_skeleton(motion: Handle): number;
   motion_info(motion: Handle): Pointer<MotionInfo>;
   motion_notes(motion: Handle): Pointer<MotionNotes>;

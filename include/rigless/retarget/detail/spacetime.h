@@ -150,8 +150,9 @@ class SpacetimeSolver {
     const std::size_t own = in.features.size() / frames_, all = in.dimension(frames_);
     const S* const first = in.features.data() + frame_ * own;
     if (own == all) return first;
-    feature_.assign(first, first + own);
-    for (std::size_t d = 0; d < all - own; ++d) feature_.push_back(in.share * in.shared[frame_ * (all - own) + d]);
+    const S* const shared = in.shared.data() + frame_ * (all - own);
+    feature_.resize(all);
+    for (std::size_t d = 0; d < all; ++d) feature_[d] = d < own ? first[d] : in.share * shared[d - own];
     return feature_.data();
   }
 
