@@ -47,6 +47,7 @@ export class FileOpening {
         const opened = await this.model(sorted, job, gesture);
         await this.motions(sorted.motions, job, gesture);
         if (opened) await this.guess(opened, job);
+        if (opened && sorted.moves) this.offerMotions(opened);
       }
       const [song] = sorted.songs;
       if (song) await (await this.openers.music()).take({ ...song, name: baseName(song.name) });
@@ -134,13 +135,15 @@ export class FileOpening {
       selection.endIntro();
       opened = model;
       this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
-      if (sorted.moves) {
-        const run = (): void => void this.clips([first, ...beside], model);
-        this.steps.say({ title: `${model.name} brings motions of its own.`, icon: "motion", actions: [{ label: "Choose", run }] });
-      }
     });
     for (const other of others) this.steps.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
     return opened;
+  }
+
+  /** Of a model's own file, once it dances. */
+  private offerMotions(model: Model): void {
+    const run = (): void => void this.clips(this.openers.sources.of(model)?.files ?? [], model);
+    this.steps.say({ title: `${model.name} brings motions of its own.`, icon: "motion", actions: [{ label: "Choose", run }] });
   }
 
   /** Makes a model that just came dance at once, as a step of its own; where that cannot be, the person makes the points. */

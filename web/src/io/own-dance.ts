@@ -18,7 +18,7 @@ import type { Model } from "./model";
 import type { FoundMotion } from "./read-motion-files";
 
 /** Poses that one clip is shown in at most. */
-const MOST_POSES = 24;
+const MOST_POSES = 12;
 /** Of the model's height: a pose that is as near to one that is shown tells nothing. */
 const NEAR = 0.002;
 

@@ -25,4 +25,15 @@ inline void turn_about_axis(std::int32_t axis, double angle, Mat3<double>& rotat
   }
 }
 
+// A b, by plain loops for the same reason. Does not allocate.
+inline Mat3<double> turned_by(const Mat3<double>& a, const Mat3<double>& b) {
+  Mat3<double> product;
+  for (int k = 0; k < 9; ++k) {
+    const double* const row = a.data() + k % 3;
+    const double* const column = b.data() + k / 3 * 3;
+    product.data()[k] = row[0] * column[0] + (row[3] * column[1] + row[6] * column[2]);
+  }
+  return product;
+}
+
 }  // namespace rigless::detail
