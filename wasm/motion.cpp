@@ -1,5 +1,5 @@
-// Motions as flat C functions over integer handles. No logic of its own: it turns memory into spans and a Status into one
-// number. Double. Built for size.
+// Motions as flat C functions over integer handles. No logic of its own: it turns memory into spans and a Status into
+// one number. Double. Built for size.
 
 #include <algorithm>
 

@@ -131,8 +131,8 @@ class Retargeter {
 
   Solver& solver() { return solver_; }
 
-  // T x N weights of one control, where they are kept; how far each constraint is missed, mesh-local units; which other one it contradicts,
-  // or -1.
+  // T x N weights of one control, where they are kept; how far each constraint is missed, mesh-local units; which other
+  // one it contradicts, or -1.
   Span<const double> weights(std::int32_t control) const { return solver_.weights(control); }
   double residual(std::size_t constraint) const { return solver_.residuals()[constraint] * inputs_.space.spread; }
   Span<const std::int32_t> opponents() const { return solver_.opponents(); }

@@ -151,8 +151,8 @@ class PerformanceBuilder {
     return {};
   }
 
-  // After finish(), where the input asked for turns: control c of what was made turns as its examples do. turns: rotation vectors of the first of the
-  // examples that know it; the others do not turn it. Allocates.
+  // After finish(), where the input asked for turns: control c of what was made turns as its examples do. turns:
+  // rotation vectors of the first of the examples that know it; the others do not turn it. Allocates.
   template <class T>
   RIGLESS_COLD void turn(std::int32_t c, Span<const Vec3<T>> turns, Performance<T>& made) const {
     const Span<const double> wound = retargeter_.weights(c);

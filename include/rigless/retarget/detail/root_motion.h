@@ -44,8 +44,8 @@ S travel_ratio(const SourceTravel<S>& travel, const std::vector<Vec3<S>>& veloci
   return own > S(0) ? std::clamp(both / own, travel.scale / S(3), travel.scale * S(3)) : travel.scale;
 }
 
-// Turns `velocity` (T, per frame) to where the source goes, as far as that goes anywhere within half a second: legs that
-// swing otherwise than the human's would lead a body astray. How fast it is stays, and how it sways. Allocates.
+// Turns `velocity` (T, per frame) to where the source goes, as far as that goes anywhere within half a second: legs
+// that swing otherwise than the human's would lead a body astray. How fast it is stays, and how it sways. Allocates.
 template <class S>
 RIGLESS_COLD void steer(const SourceTravel<S>& source, S fps, std::vector<Vec3<S>>& velocity) {
   constexpr S window = S(21), walks = S(0.5);  // frames at 30 fps; metres per second
@@ -64,10 +64,10 @@ RIGLESS_COLD void steer(const SourceTravel<S>& source, S fps, std::vector<Vec3<S
 
 // The root of T frames from the controls that stand: per frame it moves against their mean horizontal motion, counting
 // the controls labelled in this frame and the one before. While nothing stands it moves as the source does, scaled, or
-// keeps its speed if the source is unknown; and it goes where the source does, see steer(). The speed is smoothed and summed; y puts the smoothed lowest sole on the
-// ground. tracks: T x C local positions with the source's yaw put back; labels: T x C, not 0 while a control stands;
-// ground: C, rest height of each control above the lowest vertex; root: T. Allocates. Errors: no_controls;
-// size_mismatch.
+// keeps its speed if the source is unknown; and it goes where the source does, see steer(). The speed is smoothed and
+// summed; y puts the smoothed lowest sole on the ground. tracks: T x C local positions with the source's yaw put back;
+// labels: T x C, not 0 while a control stands; ground: C, rest height of each control above the lowest vertex; root: T.
+// Allocates. Errors: no_controls; size_mismatch.
 template <class S>
 Status root_from_contacts(Span<const Vec3<S>> tracks, Span<const std::uint8_t> labels, Span<const S> ground,
                           const SourceTravel<S>& source, const RootMotionOptions<S>& options,

@@ -209,7 +209,7 @@ class SpacetimeSolver {
   Status status_;
   std::size_t track_ = 0, frame_ = 0, row_ = 0;  // what comes next
   WeightElimination<S> elimination_;
-  std::vector<S> feature_;  // D
+  std::vector<S> feature_;                  // D
   std::vector<SpacetimeTrack<S>> systems_;  // 0: shared by the tracks without constraints
   std::vector<std::size_t> workspace_;      // C, into systems_
   std::vector<Vec3<S>> force_, change_;     // T
