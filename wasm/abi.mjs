@@ -103,7 +103,7 @@ const lower = (name) => name[0].toLowerCase() + name.slice(1);
 const upper = (name) => name.replace(/(?<=[a-z])(?=[A-Z])/g, "_").toUpperCase();
 
 const SCALARS = { void: "void", double: "number", float: "number", "std::int32_t": "number", "std::uint8_t": "number" };
-const ARRAYS = { float: "Float32Array", "std::int32_t": "Integers", "std::uint8_t": "Uint8Array", char: "Uint8Array", void: "void" };
+const ARRAYS = { float: "Float32Array", double: "Float64Array", "std::int32_t": "Integers", "std::uint8_t": "Uint8Array", char: "Uint8Array", void: "void" };
 
 function typeOf(type) {
   const [, pointed] = /^(?:const )?([\w:]+)\*$/.exec(type.replaceAll(" *", "*")) ?? [];

@@ -1,5 +1,5 @@
-// Motions as flat C functions over integer handles. No logic of its own: it turns memory into spans, double into
-// float32, and a Status into one number. Double inside. Built for size.
+// Motions as flat C functions over integer handles. No logic of its own: it turns memory into spans and a Status into
+// one number. Double. Built for size.
 
 #include <algorithm>
 
@@ -21,17 +21,7 @@ using rigless_wasm::PackedStatus;
 
 namespace {
 
-using Vec3d = rigless::Vec3<double>;
-
 std::string_view text_view(const char* text, std::int32_t bytes) { return {text, static_cast<std::size_t>(bytes)}; }
-
-void narrow(Span<const Vec3d> points, std::vector<float>& out) {
-  out.clear();
-  out.reserve(3 * points.size());
-  for (const Vec3d& p : points) {
-    for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(p[k]));
-  }
-}
 
 }  // namespace
 
@@ -59,10 +49,14 @@ RIGLESS_EXPORT PackedStatus motion_read(ObjectHandle motion, const char* text, s
                                                      m, m.in_skeleton);
   if (!status.ok()) return pack(status);
   m.places = m.staged.roles.places(m.staged.clip.joints());
-  narrow(m.staged.clip.positions, m.positions);
-  narrow(m.staged.local, m.local);
-  m.yaw.assign(m.staged.yaw.begin(), m.staged.yaw.end());
   return 0;
+}
+
+// The first frames of a motion that has more, as one that can be danced.
+RIGLESS_EXPORT ObjectHandle motion_beginning(ObjectHandle motion, std::int32_t frames) {
+  const ObjectHandle beginning = motions.add();
+  motions[beginning].staged = rigless::beginning_of(motions[motion].staged, frames);
+  return beginning;
 }
 
 // 1 if what motion_read() refused is the skeleton.
@@ -127,7 +121,9 @@ RIGLESS_EXPORT const std::int32_t* motion_parents(ObjectHandle motion) {
 RIGLESS_EXPORT const std::uint8_t* motion_left(ObjectHandle motion) { return motions[motion].staged.left.data(); }
 RIGLESS_EXPORT const std::uint8_t* motion_right(ObjectHandle motion) { return motions[motion].staged.right.data(); }
 
-// T x J x 3, T x J x 3 and T, float32
-RIGLESS_EXPORT const float* motion_positions(ObjectHandle motion) { return motions[motion].positions.data(); }
-RIGLESS_EXPORT const float* motion_local(ObjectHandle motion) { return motions[motion].local.data(); }
-RIGLESS_EXPORT const float* motion_yaw(ObjectHandle motion) { return motions[motion].yaw.data(); }
+// T x J x 3, T x J x 3 and T
+RIGLESS_EXPORT const double* motion_positions(ObjectHandle motion) {
+  return motions[motion].staged.clip.positions.data()->data();
+}
+RIGLESS_EXPORT const double* motion_local(ObjectHandle motion) { return motions[motion].staged.local.data()->data(); }
+RIGLESS_EXPORT const double* motion_yaw(ObjectHandle motion) { return motions[motion].staged.yaw.data(); }

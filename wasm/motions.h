@@ -6,11 +6,10 @@
 
 namespace rigless_wasm {
 
-// A motion as it was read, and what of it goes to the page as float32.
+// A motion as it was read.
 struct Motion : rigless::detail::MotionRead {
   bool in_skeleton = false;                // what was wrong
   std::vector<rigless::BodyPlace> places;  // J
-  std::vector<float> positions, local, yaw;
 };
 
 inline HandleTable<Motion> motions;

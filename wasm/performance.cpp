@@ -98,13 +98,13 @@ RIGLESS_EXPORT void performance_follow(ObjectHandle performance, const std::int3
 
 // pairs: C; rest: C x 3, the controls at rest; limbs: C x 5, of body_limbs(), or 0; floor, height: of the mesh at rest;
 // example_joints: N x J x 3 body-local metres, NaN where unknown; example_controls: N x C x 3. The motion must stay
-// until performance_progress() is 1.
+// until performance_progress() is 1. turned: performance_turn() comes after it.
 RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHandle motion, const std::int32_t* pairs,
                                               const float* rest, const float* limbs, std::int32_t controls,
                                               double floor, double height, const float* example_joints,
                                               const float* example_controls, std::int32_t examples, double smoothness,
                                               std::int32_t ground_contact, std::int32_t in_place, double energy,
-                                              std::int32_t paper) {
+                                              std::int32_t paper, std::int32_t turned) {
   const rigless::StagedMotion<double>& staged = motions[motion].staged;
   const std::vector<Vec3d> rest_controls = widen(rest, controls);
   const std::vector<Vec3d> joints = widen(example_joints, examples * staged.clip.joints());
@@ -130,6 +130,7 @@ RIGLESS_EXPORT PackedStatus performance_begin(ObjectHandle performance, ObjectHa
   input.pose_weights = play.pose_weights;
   input.mirror = play.mirror;
   input.mirror_normal = play.mirror_normal;
+  input.turns = turned != 0;
   return pack(play.builder.begin(input));
 }
 

@@ -76,6 +76,22 @@ TEST_CASE("root motion: a treadmill gives its speed at any rate, soles stand on 
   }
 }
 
+TEST_CASE("root motion: legs that swing aslant do not lead a body astray") {
+  std::vector<Vec3<double>> tracks, ahead, still, root;
+  for (int f = 0; f <= 90; ++f) {
+    tracks.push_back({-0.01 * f, 0, -0.03 * f});
+    ahead.push_back({0, 1, 0.04 * f});
+    still.push_back({0, 1, 0.001 * f});
+  }
+  const std::vector<std::uint8_t> labels(tracks.size(), 1);
+  const std::vector<double> ground = {0};
+  REQUIRE(detail::root_from_contacts<double>(tracks, labels, ground, {ahead, 1}, {}, root).ok());
+  CHECK(std::abs(root.back().x()) < 0.02);
+  CHECK(root.back().z() == doctest::Approx(90 * std::hypot(0.01, 0.03)).epsilon(0.03));
+  REQUIRE(detail::root_from_contacts<double>(tracks, labels, ground, {still, 1}, {}, root).ok());
+  CHECK(root.back().x() == doctest::Approx(0.9).epsilon(0.05));
+}
+
 TEST_CASE("root motion: bad input is refused") {
   std::vector<Vec3<double>> tracks(4, Vec3<double>::Zero()), root(1, Vec3<double>::Ones());
   const std::vector<std::uint8_t> labels(3);

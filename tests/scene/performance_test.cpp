@@ -301,7 +301,9 @@ TEST_CASE("a control turns as far as the performance follows the example that tu
     stick.controls.insert(stick.controls.end(), stick.rest.begin(), stick.rest.end());
   }
   PerformanceBuilder<double> builder;
-  REQUIRE(builder.begin(stick.input()).ok());
+  PerformanceInput<double> input = stick.input();
+  input.turns = true;
+  REQUIRE(builder.begin(input).ok());
   while (builder.advance(1 << 20)) {
   }
   Performance<double> made;

@@ -118,4 +118,19 @@ TEST_CASE("what is said of a file stands instead of what is guessed") {
   CHECK(upper.staged.clip.joints() < found.staged.clip.joints());
 }
 
+TEST_CASE("the beginning of a motion is what it begins with") {
+  const StagedMotion<double> whole = read("jump.bvh").staged;
+  const std::int32_t frames = whole.clip.frames - 1;
+  const StagedMotion<double> first = beginning_of(whole, frames);
+  CHECK(first.clip.frames == frames);
+  CHECK(first.clip.positions.size() == whole.clip.positions.size() - to_size(whole.clip.joints()));
+  CHECK(first.yaw.size() == to_size(frames));
+  CHECK(first.left.size() == to_size(frames));
+  CHECK(apart(first, frames - 1, whole, frames - 1) == 0);
+  REQUIRE(whole.flights.size() == 1);
+  CHECK(first.flights.size() == 1);
+  CHECK(beginning_of(whole, whole.flights[0].landing).flights.empty());
+  CHECK(first.loop_period == 0);
+}
+
 }  // namespace rigless::test

@@ -3,14 +3,15 @@
 import { basename } from "node:path";
 
 import type { ProjectDocument } from "../src/document/types";
-import type { MotionInput } from "../src/engine/types";
+import type { MotionInput, ShapeAnalysis } from "../src/engine/types";
 import type { FoundClip } from "../src/io/clips/found-clip";
 import { count } from "../src/io/count";
 import { formatNamed } from "../src/io/formats";
 import type { Model } from "../src/io/model";
+import { ownDance } from "../src/io/own-dance";
 import type { FoundMotion } from "../src/io/read-motion-files";
 import type { Binding } from "../src/sync/binding";
-import { guessProject } from "../src/sync/guess";
+import { guessPoints, guessProject } from "../src/sync/guess";
 import { shapeInput } from "../src/sync/shape-input";
 import { FileError, loadModelAndMotions, loadMotions, loadProject, type MotionFiles, motionsOfProject } from "./files";
 import { readClipsInThread, readModelInThread, type ThreadOptions } from "./parse-in-thread";
@@ -78,7 +79,9 @@ async function guessed(asked: Asked, binding: Binding, signal: AbortSignal): Pro
   progress.step("Looking at the model");
   const { joints } = await binding.takeMotion({ motion: { files: motions[0].files } }, motions[0].input, () => ({ signal }));
   const said = await binding.engine.analyseShape(shapeInput(model), { signal });
-  const document = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motions[0].files, model, said, joints);
+  const guess = guessProject(model.name.replace(/\.[^.]*$/, ""), model.name, motions[0].files, model, said, joints);
+  const own = files.clipFiles.some(([file]) => file === modelFiles[0]);
+  const document = own ? await withOwnDances(guess, { model, said, motions, progress }, binding, signal) : guess;
   const { up, facing } = document.mesh;
   progress.note(
     `${model.name} is taken to stand with ${up} up and to look along ${facing}; ` +
@@ -89,6 +92,27 @@ async function guessed(asked: Asked, binding: Binding, signal: AbortSignal): Pro
       `${document.points.map(({ name, joint }) => `${name} follows ${joint ?? "the whole pose"}`).join(", ")}.`,
   );
   return { document, model, motions, beside: null };
+}
+
+/** The clips of the model's own file as they were made. */
+async function withOwnDances(
+  guess: ProjectDocument,
+  { model, said, motions, progress }: Pick<BakeInputs, "model" | "motions"> & { said: ShapeAnalysis; progress: Progress },
+  binding: Binding,
+  signal: AbortSignal,
+): Promise<ProjectDocument> {
+  let document = guess;
+  for (const motion of motions) {
+    const read = await binding.takeMotion({ motion: { files: motion.files } }, motion.input, () => ({ signal }));
+    const { more } = guessPoints(model, said, read.joints);
+    document = ownDance(model, document, more, read, motion)?.(document) ?? document;
+  }
+  const poses = document.examples.length;
+  if (poses > 0)
+    progress.note(
+      `${model.name} dances as its own joints move it: ${count(poses, "pose")} of its own ${poses > 1 ? "are" : "is"} its examples.`,
+    );
+  return document;
 }
 
 function reading({ progress }: Asked, signal: AbortSignal, step = "Reading the model"): ThreadOptions {

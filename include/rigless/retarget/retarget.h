@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct RetargetOptions {
   S offset_weight = S(0.05);             // offset track of constrained controls; 0: none
   S offset_acceleration = 3;             // at 30 fps
   S compliance = S(1e-9);                // of hard constraints
+  bool keep_weights = true;              // else Retargeter::weights() is empty
 
   // The paper's own formulation: each control from its joint alone, the 4 nearest examples, a soft affine row, exact
   // constraints without an offset track.
@@ -79,25 +81,27 @@ class Retargeter {
     const auto frames = static_cast<std::int32_t>(input.joints.size() / joints);
     const std::size_t controls = input.pairs.size();
 
-    const std::vector<Vec3<double>> clip = widen(input.joints), example_controls = widen(input.examples.controls);
+    std::vector<Vec3<double>> widened;
+    const Span<const Vec3<double>> clip = doubles(input.joints, widened);
+    const std::vector<Vec3<double>> example_controls = widen(input.examples.controls);
     std::vector<Vec3<double>> example_joints = widen(input.examples.joints);
     const std::vector<std::int32_t> paired = detail::paired_joints(input.pairs, input.joint_count);
     detail::fill_unknown_joints<double>(clip, paired, input.joint_count, example_joints);
 
     Inputs next;
     next.space = detail::ControlSpace<double>::of(example_controls, controls);
-    detail::PoseFeatures<double> poses;
-    poses.bind(clip, example_joints, input.joint_count, paired);
+    next.poses.bind(clip, example_joints, input.joint_count, paired);
     next.clip.resize(controls);
     next.examples.resize(controls);
     next.controls.resize(controls);
     std::vector<detail::TrackInput<double>> tracks;
     for (std::size_t c = 0; c < controls; ++c) {
       const S weight = input.pose_weights.empty() ? options.pose_weight : input.pose_weights[c];
-      poses.features(input.pairs[c], static_cast<double>(weight), next.clip[c], next.examples[c]);
+      const double share =
+          next.poses.features(input.pairs[c], static_cast<double>(weight), next.clip[c], next.examples[c]);
       keep_known(example_controls, c, next);
       if (next.controls[c].empty()) return {Error::no_examples, c};
-      tracks.push_back({next.clip[c], next.examples[c], next.controls[c]});
+      tracks.push_back({next.clip[c], next.examples[c], next.controls[c], {}, {}, next.poses.poses(), share});
     }
     const Status begun =
         solver_.begin(tracks, frames, normalised(input.constraints, next.space), solver_options(options));
@@ -127,8 +131,8 @@ class Retargeter {
 
   Solver& solver() { return solver_; }
 
-  // T x N weights of one control; how far each constraint is missed, mesh-local units; which other one it contradicts,
-  // or -1.
+  // T x N weights of one control, where they are kept; how far each constraint is missed, mesh-local units; which other
+  // one it contradicts, or -1.
   Span<const double> weights(std::int32_t control) const { return solver_.weights(control); }
   double residual(std::size_t constraint) const { return solver_.residuals()[constraint] * inputs_.space.spread; }
   Span<const std::int32_t> opponents() const { return solver_.opponents(); }
@@ -137,7 +141,8 @@ class Retargeter {
   // The solver looks at these arrays until it is done; moving the vectors does not move what they hold.
   struct Inputs {
     detail::ControlSpace<double> space;
-    std::vector<std::vector<double>> clip, examples;  // C x (T x D), C x (N x D)
+    detail::PoseFeatures<double> poses;
+    std::vector<std::vector<double>> clip, examples;  // C x (T x 3 or none), C x (N x D)
     std::vector<std::vector<Vec3<double>>> controls;  // C x N
   };
 
@@ -162,6 +167,13 @@ class Retargeter {
     out.reserve(points.size());
     for (const Vec3<S>& p : points) out.push_back(p.template cast<double>());
     return out;
+  }
+
+  // The points themselves where they are doubles already: those of a long clip are many.
+  static Span<const Vec3<double>> doubles(Span<const Vec3<S>> points, std::vector<Vec3<double>>& widened) {
+    if constexpr (std::is_same_v<S, double>) return points;
+    widened = widen(points);
+    return widened;
   }
 
   static Status check(const RetargetInput<S>& in) {
@@ -196,6 +208,7 @@ class Retargeter {
     out.track.offset_weight = static_cast<double>(options.offset_weight);
     out.track.offset_acceleration = static_cast<double>(options.offset_acceleration) * rate * rate;
     out.compliance = static_cast<double>(options.compliance);
+    out.keep_weights = options.keep_weights;
     return out;
   }
 

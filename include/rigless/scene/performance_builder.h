@@ -42,6 +42,7 @@ struct PerformanceInput {
   const Span<const Flight>* flights = nullptr;  // the user's own; null: those of the motion
   Span<const std::int32_t> mirror;              // C: partner, itself on the plane, -1: none. Empty: no mirror images
   Vec3<S> mirror_normal = Vec3<S>::UnitX();     // of the mesh's plane
+  bool turns = false;                           // turn() will be asked for
 };
 
 // begin(), then advance() until it returns false, then finish().
@@ -83,9 +84,9 @@ class PerformanceBuilder {
 
     detail::exaggerate<S>(input.rest, input.settings.energy, examples.controls);
     laps_ = {motion.clip.frames, motion.loop_period};
-    const std::vector<Vec3<S>> wound = laps_.wind<S>(motion.local, to_size(joints));
+    std::vector<Vec3<S>> wound;
     RetargetInput<S> retarget;
-    retarget.joints = wound;
+    retarget.joints = laps_.wind<S>(motion.local, to_size(joints), wound);
     retarget.joint_count = joints;
     retarget.pairs = input.pairs;
     retarget.examples = examples.view();
@@ -95,6 +96,7 @@ class PerformanceBuilder {
     RetargetOptions<S> options = input.settings.paper ? RetargetOptions<S>::thesis() : RetargetOptions<S>();
     options.fps = static_cast<S>(performance_fps);
     options.smoothness = input.settings.smoothness;
+    options.keep_weights = input.turns;
     if (const Status begun = retargeter_.begin(retarget, options); !begun.ok()) return begun;
     settings_ = input.settings;
     pairs_.assign(input.pairs.begin(), input.pairs.end());
@@ -149,8 +151,8 @@ class PerformanceBuilder {
     return {};
   }
 
-  // After finish(): control c of what was made turns as its examples do. turns: rotation vectors of the first of the
-  // examples that know it; the others do not turn it. Allocates.
+  // After finish(), where the input asked for turns: control c of what was made turns as its examples do. turns:
+  // rotation vectors of the first of the examples that know it; the others do not turn it. Allocates.
   template <class T>
   RIGLESS_COLD void turn(std::int32_t c, Span<const Vec3<T>> turns, Performance<T>& made) const {
     const Span<const double> wound = retargeter_.weights(c);

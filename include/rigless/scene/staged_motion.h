@@ -80,4 +80,27 @@ Status stage_motion(const Clip<S>& source, const JointRoles& roles, StagedMotion
   return {};
 }
 
+// The first frames of a motion that has more as a motion of its own: a first look at a long one. Allocates.
+template <class S>
+StagedMotion<S> beginning_of(const StagedMotion<S>& motion, std::int32_t frames) {
+  const std::size_t joints = motion.clip.skeleton.names.size();
+  StagedMotion<S> first;
+  first.clip.skeleton = motion.clip.skeleton;
+  first.clip.fps = motion.clip.fps;
+  first.clip.frames = first.take_frames = frames;
+  first.roles = motion.roles;
+  for (std::size_t f = 0; f < to_size(frames); ++f) {
+    for (std::size_t i = f * joints; i < (f + 1) * joints; ++i) {
+      first.clip.positions.push_back(motion.clip.positions[i]);
+      first.local.push_back(motion.local[i]);
+    }
+    first.yaw.push_back(motion.yaw[f]);
+    first.left.push_back(motion.left[f]);
+    first.right.push_back(motion.right[f]);
+  }
+  for (const Flight& flight : motion.flights)
+    if (flight.landing < frames) first.flights.push_back(flight);
+  return first;
+}
+
 }  // namespace rigless

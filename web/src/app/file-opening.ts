@@ -47,6 +47,7 @@ export class FileOpening {
         const opened = await this.model(sorted, job, gesture);
         await this.motions(sorted.motions, job, gesture);
         if (opened) await this.guess(opened, job);
+        if (opened && sorted.moves) this.offerMotions(opened);
       }
       const [song] = sorted.songs;
       if (song) await (await this.openers.music()).take({ ...song, name: baseName(song.name) });
@@ -57,14 +58,36 @@ export class FileOpening {
     for (const file of sorted.project ? [] : sorted.clips) await this.clips([file, ...sorted.files]);
   }
 
-  /** Motions of the first of `files`, which may be a model too. */
-  private async clips(files: readonly NamedFile[]): Promise<void> {
+  /** Motions of the first of `files`, which may be a model too: `own`, which then dances them as they were made. */
+  private async clips(files: readonly NamedFile[], own: Model | null = null): Promise<void> {
     const { context, openers, ports } = this;
     this.clipFiles ??= new ClipFiles(context.signals, openers.jobs, ports.readClips);
     const { clipFiles } = this;
     await this.steps.guarded(baseName(files[0].name), async () => {
       const motions = (await clipFiles.of(files)).map(({ motion }) => motion);
-      if (motions.length > 0) await openers.jobs.run(motions[0].input.name, STEPS, (job) => this.motions(motions, job, Symbol("open")));
+      if (motions.length === 0) return;
+      await openers.jobs.run(motions[0].input.name, STEPS, async (job) => {
+        const gesture = Symbol("open");
+        await this.motions(motions, job, gesture);
+        if (own) await this.ownDance(own, motions[0], job, gesture);
+      });
+    });
+  }
+
+  private async ownDance(model: Model, clip: FoundMotion, job: JobHandle, gesture: Gesture): Promise<void> {
+    const { history, workspace } = this.context;
+    const { document } = history;
+    const guess = await this.openers.guesses.of(model);
+    if (this.context.model !== model || !workspace.motion || !guess) return;
+    const { ownDance } = await import("../io/own-dance");
+    const command = ownDance(model, document, guess.more, workspace.motion, clip);
+    if (!command) return;
+    await this.steps.change(command, job, gesture);
+    this.steps.say({
+      title: `${model.name} dances as its own joints move it.`,
+      text: "Poses of its own are its examples: change them as you like.",
+      icon: "poses",
+      actions: [history.undoAction()],
     });
   }
 
@@ -124,13 +147,15 @@ export class FileOpening {
       selection.endIntro();
       opened = model;
       this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
-      if (sorted.moves) {
-        const run = (): void => void this.clips([first, ...beside]);
-        this.steps.say({ title: `${model.name} brings motions of its own.`, icon: "motion", actions: [{ label: "Choose", run }] });
-      }
     });
     for (const other of others) this.steps.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
     return opened;
+  }
+
+  /** Of a model's own file, once it dances. */
+  private offerMotions(model: Model): void {
+    const run = (): void => void this.clips(this.openers.sources.of(model)?.files ?? [], model);
+    this.steps.say({ title: `${model.name} brings motions of its own.`, icon: "motion", actions: [{ label: "Choose", run }] });
   }
 
   /** Makes a model that just came dance at once, as a step of its own; where that cannot be, the person makes the points. */

@@ -16,7 +16,7 @@ import {
 } from "../util/constants";
 
 /** A module that answers another number to abi() was built from another description. */
-export const ABI = 1655191335;
+export const ABI = 2039636348;
 
 /** 0: ok; otherwise error * 2^32 + where. */
 export type PackedStatus = number;
@@ -467,6 +467,7 @@ export interface RiglessExports {
     joints: Pointer<Uint8Array>,
     jointsBytes: number,
   ): PackedStatus;
+  motion_beginning(motion: Handle, frames: number): Handle;
   motion_refused_skeleton(motion: Handle): number;
   motion_info(motion: Handle): Pointer<MotionInfo>;
   motion_notes(motion: Handle): Pointer<MotionNotes>;
@@ -476,9 +477,9 @@ export interface RiglessExports {
   motion_parents(motion: Handle): Pointer<Integers>;
   motion_left(motion: Handle): Pointer<Uint8Array>;
   motion_right(motion: Handle): Pointer<Uint8Array>;
-  motion_positions(motion: Handle): Pointer<Float32Array>;
-  motion_local(motion: Handle): Pointer<Float32Array>;
-  motion_yaw(motion: Handle): Pointer<Float32Array>;
+  motion_positions(motion: Handle): Pointer<Float64Array>;
+  motion_local(motion: Handle): Pointer<Float64Array>;
+  motion_yaw(motion: Handle): Pointer<Float64Array>;
   performance_new(): Handle;
   performance_delete(performance: Handle): void;
   performance_constrain(performance: Handle, constraints: Pointer<ConstraintInput>, count: number): void;
@@ -503,6 +504,7 @@ export interface RiglessExports {
     inPlace: number,
     energy: number,
     paper: number,
+    turned: number,
   ): PackedStatus;
   performance_advance(performance: Handle): PackedStatus;
   performance_progress(performance: Handle): number;

@@ -78,8 +78,8 @@ export class EngineClient implements Engine {
     return this.#call("drag", { targets, turns, volume, restart });
   }
 
-  retarget(input: RetargetInput, options?: CallOptions): Promise<Performance> {
-    return this.#call("retarget", input, options);
+  retarget(input: RetargetInput, options?: CallOptions, onLook?: (frame: ShapedFrame) => void): Promise<Performance> {
+    return this.#call("retarget", { ...input, look: !!onLook }, options, (_, frame) => onLook?.(frame as ShapedFrame));
   }
 
   frames(order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions): Promise<void> {

@@ -34,6 +34,7 @@ export class Core {
   #nodes = 0;
   #controls = 0;
   #motion: Handle = 0;
+  #motionFrames = 0;
   /** The last performance, ready to be deformed. */
   #bake: Handle = 0;
 
@@ -96,6 +97,7 @@ export class Core {
     const { handle, motion } = readMotion(this.#wasm, this.#heap, input);
     if (this.#motion) this.#wasm.motion_delete(this.#motion);
     this.#motion = handle;
+    this.#motionFrames = motion.frames;
     return motion;
   }
 
@@ -115,15 +117,30 @@ export class Core {
     };
   }
 
-  *retarget(input: RetargetInput): Generator<number, Performance> {
+  *retarget(input: RetargetInput & { look: boolean }, emit: Emit): Generator<number, Performance> {
+    if (input.look && this.#motionFrames > LONG) {
+      const beginning = this.#wasm.motion_beginning(this.#motion, BEGINNING);
+      const constraints = input.constraints?.filter(({ frame }) => frame < BEGINNING);
+      try {
+        yield* this.#solve({ ...input, ...(constraints && { constraints }) }, beginning, () => emit(0, this.#frame(0, true)));
+      } finally {
+        this.#wasm.motion_delete(beginning);
+      }
+    }
+    return yield* this.#solve(input, this.#motion, (handle, milliseconds) =>
+      describePerformance(this.#wasm, this.#heap, handle, milliseconds),
+    );
+  }
+
+  /** `use`: what is made of the performance while it is there; the bake stays. */
+  *#solve<T>(input: RetargetInput, motion: Handle, use: (handle: Handle, milliseconds: number) => T): Generator<number, T> {
     let begin = performance.now();
     let milliseconds = 0;
     const report = this.#needControls();
-    if (!this.#motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
+    if (!motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
     const handle = this.#wasm.performance_new();
     try {
-      const scene = { body: this.#body, report, controls: this.#controls, motion: this.#motion };
-      beginRetarget(this.#wasm, this.#heap, handle, scene, input);
+      beginRetarget(this.#wasm, this.#heap, handle, { body: this.#body, report, controls: this.#controls, motion }, input);
       for (let done = 0; done < 1; done = this.#wasm.performance_progress(handle)) {
         milliseconds += performance.now() - begin;
         yield done;
@@ -133,28 +150,34 @@ export class Core {
       for (const { control, ways } of input.turns ?? [])
         this.#heap.lend([ways], ([at]) => this.#wasm.performance_turn(handle, control, at, ways.length / 3));
       this.#beginBake(handle, input.volume);
-      return describePerformance(this.#wasm, this.#heap, handle, milliseconds + performance.now() - begin);
+      return use(handle, milliseconds + performance.now() - begin);
     } finally {
       this.#wasm.performance_delete(handle);
     }
   }
 
-  *frames({ order, shaped }: FramesInput, emit: (frame: number, result: Frame | ShapedFrame) => void): Generator<number, void> {
+  *frames({ order, shaped }: FramesInput, emit: Emit): Generator<number, void> {
     let made = 0;
     for (const frame of order) {
-      const bake = this.#bake;
-      if (!bake) throw new EngineError("bad_examples", "There is no retargeted motion for these controls yet.");
-      const begin = performance.now();
-      this.#check(this.#wasm.bake_frame(bake, frame), { kind: "frames" });
-      const { position, yaw, volumeRatio } = this.#heap.read(bakeRootRow, this.#wasm.bake_root(bake));
-      const array =
-        shaped && this.#nodes
-          ? this.#heap.floats(this.#wasm.bake_maps(bake), 12 * this.#nodes)
-          : this.#heap.floats(this.#wasm.bake_positions(bake), 3 * this.#vertices);
-      const rest = { volumeRatio: known(volumeRatio), root: [...position, yaw] as Frame["root"], milliseconds: performance.now() - begin };
-      emit(frame, shaped ? { shape: array, ...rest } : { positions: array, ...rest });
+      emit(frame, this.#frame(frame, shaped));
       yield ++made / order.length;
     }
+  }
+
+  #frame(frame: number, shaped: true): ShapedFrame;
+  #frame(frame: number, shaped: boolean): Frame | ShapedFrame;
+  #frame(frame: number, shaped: boolean): Frame | ShapedFrame {
+    const bake = this.#bake;
+    if (!bake) throw new EngineError("bad_examples", "There is no retargeted motion for these controls yet.");
+    const begin = performance.now();
+    this.#check(this.#wasm.bake_frame(bake, frame), { kind: "frames" });
+    const { position, yaw, volumeRatio } = this.#heap.read(bakeRootRow, this.#wasm.bake_root(bake));
+    const array =
+      shaped && this.#nodes
+        ? this.#heap.floats(this.#wasm.bake_maps(bake), 12 * this.#nodes)
+        : this.#heap.floats(this.#wasm.bake_positions(bake), 3 * this.#vertices);
+    const rest = { volumeRatio: known(volumeRatio), root: [...position, yaw] as Frame["root"], milliseconds: performance.now() - begin };
+    return shaped ? { shape: array, ...rest } : { positions: array, ...rest };
   }
 
   #beginBake(handle: Handle, volume: number): void {
@@ -191,6 +214,12 @@ export class Core {
     if (packed !== 0) throw new Refusal(packed, subject);
   }
 }
+
+/** Frames of a motion that is worth a first look, and how many of them that looks at. */
+const LONG = 1800;
+const BEGINNING = 150;
+
+type Emit = (frame: number, result: Frame | ShapedFrame) => void;
 
 const NOWHERE: [number, number, number] = [0, 0, 0];
 

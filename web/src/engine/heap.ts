@@ -52,6 +52,11 @@ export class Heap {
     return new Float32Array(this.module.memory.buffer, at, length).slice();
   }
 
+  /** Of doubles. */
+  narrowed(at: Pointer<Float64Array>, length: number): Float32Array {
+    return new Float32Array(new Float64Array(this.module.memory.buffer, at, length));
+  }
+
   integers(at: Pointer<Integers>, length: number): Int32Array {
     return new Int32Array(this.module.memory.buffer, at, length).slice();
   }

@@ -48,7 +48,7 @@ export interface Calls {
   setControls: { input: ControlInput[]; output: void };
   setMotion: { input: MotionInput; output: Motion };
   drag: { input: DragInput; output: ShapedFrame };
-  retarget: { input: RetargetInput; output: Performance };
+  retarget: { input: RetargetInput & { look: boolean }; output: Performance };
   frames: { input: FramesInput; output: void };
 }
 

@@ -48,6 +48,7 @@ export function beginRetarget(wasm: RiglessExports, heap: Heap, handle: Handle, 
       Number(input.inPlace),
       input.energy ?? 0,
       Number(input.paper ?? 0),
+      Number(Boolean(input.turns?.length)),
     ),
   );
   if (status !== 0) throw new Refusal(status, { kind: "retarget" });

@@ -4,7 +4,7 @@
 import { Core } from "./core";
 import type { CallRequest, Reply, Request } from "./protocol";
 import { Refusal } from "./refusal";
-import { EngineError } from "./types";
+import { EngineError, type Frame, type ShapedFrame } from "./types";
 import { analyseShape } from "./analyse-shape";
 import { instantiate } from "./wasm";
 
@@ -129,6 +129,8 @@ class Server {
   }
 
   *#begin(core: Core, request: JobRequest): Steps {
+    const emit = (frame: number, result: Frame | ShapedFrame): void =>
+      this.#post({ type: "frame", id: request.id, frame, result }, buffersOf(result));
     switch (request.type) {
       case "setMesh":
         return core.setMesh(request.input);
@@ -139,11 +141,9 @@ class Server {
       case "setMotion":
         return core.setMotion(request.input);
       case "retarget":
-        return yield* core.retarget(request.input);
+        return yield* core.retarget(request.input, emit);
       case "frames":
-        return yield* core.frames(request.input, (frame, result) => {
-          this.#post({ type: "frame", id: request.id, frame, result }, buffersOf(result));
-        });
+        return yield* core.frames(request.input, emit);
     }
   }
 

@@ -3,12 +3,15 @@
 import type { MotionInput } from "../engine/types";
 import type { Format } from "./format";
 import { FORMATS, formatOf, motionFormat, type MotionSource } from "./formats";
+import type { OwnMoves } from "./clips/own-moves";
 import { baseName, decodeText, ModelError, type NamedFile } from "./named-file";
 
 export interface FoundMotion {
   /** As a project names them: the skeleton first. */
   readonly files: readonly string[];
   readonly input: MotionInput;
+  /** Of a clip that came in a file that shows something: how its joints go, as they move that. */
+  readonly moves?: OwnMoves;
 }
 
 export interface FoundMotions {

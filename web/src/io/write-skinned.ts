@@ -26,6 +26,7 @@ export function writeSkinned(
   const shapes = new Shapes(drawn, rest, scale);
   const start = shapes.of(rest);
   const weights = wholeWeights(skin.weights);
+  const bearing = skin.joints.map((joint, k) => (weights[k] > 0 ? joint : 0)); // as glTF wants it of what rounds to nothing
   const targets = Array.from({ length: skin.ways.length / rest.length }, (_, k) => targetOf(k));
   const primitives = drawn.instances.map((instance) => ({
     instance,
@@ -33,7 +34,7 @@ export function writeSkinned(
     ...ownOf(start, instance),
     ...(targets.length > 0 && { targets: targets.map((target) => ownOf(target, instance)) }),
     skin: {
-      joints: fours(skin.joints, drawn.toVertex, instance, (n) => new Uint8Array(n)),
+      joints: fours(bearing, drawn.toVertex, instance, (n) => new Uint8Array(n)),
       weights: fours(weights, drawn.toVertex, instance, (n) => new Uint16Array(n)),
     },
   }));

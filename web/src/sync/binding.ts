@@ -71,13 +71,13 @@ export class Binding {
   }
 
   /** The dance of a document that was taken: bad_controls, bad_motion, bad_examples, cancelled. */
-  async solve(document: ProjectDocument, call: CallFor = QUIETLY): Promise<Performance> {
+  async solve(document: ProjectDocument, call: CallFor = QUIETLY, onLook?: (frame: ShapedFrame) => void): Promise<Performance> {
     const { mesh, motion } = this;
     if (!mesh) throw new EngineError("bad_mesh", "There is no model yet.");
     if (!motion) throw new EngineError("bad_motion", "There is no motion yet. Choose one.");
     let input = retargetInput(mesh.model, document, motion.motion);
     if (hasDetails(document)) input = (await import("./details")).detailed(input, mesh.model, document, motion.motion);
-    const performance = await this.engine.retarget(input, call("Solving"));
+    const performance = await this.engine.retarget(input, call("Solving"), onLook);
     this.solved = solvedParts(document);
     return performance;
   }

@@ -1,7 +1,7 @@
 import type { ShapedFrame } from "../engine/types";
 
 /** What kept frames hold at most, together. */
-const MOST_BYTES = 300e6;
+const MOST_BYTES = 100e6;
 
 /**
  * Deformed frames of the present dance: all of them, or those around the playhead where the dance is long. After a new solve the

@@ -70,7 +70,7 @@ export function pairingNotes(document: ProjectDocument, motion: Pick<Motion, "jo
   const name = motionName(document);
   const lost = document.examples.length > 0 ? exampleJoints(document, motion) : [];
   return [
-    ...(motion.told ? [] : [untoldText(name)]),
+    ...(motion.told || pairingFault(document, motion) === null ? [] : [untoldText(name)]),
     ...lostPoints(document, motion, name),
     ...lost.flatMap((joints, n) =>
       joints ? [] : [`Pose ${n + 1} was made on another skeleton, and ${name} has none of its joints: it is left out.`],

@@ -285,7 +285,13 @@ export class Workspace extends Emitter<WorkspaceEvents> {
     if (this.performance && this.binding.isSolved(document)) return;
     if (signal.aborted) throw new EngineError("cancelled", "Cancelled.");
     this.interruptible = false;
-    this.performance = await this.binding.solve(document);
+    const { frames } = this.motion;
+    const onLook = (frame: ShapedFrame): void => {
+      this.cache.expire(frames);
+      this.cache.put(0, frame);
+      this.emit("frame", this.focusFrame);
+    };
+    this.performance = await this.binding.solve(document, undefined, this.performance?.frames === frames ? undefined : onLook);
     this.cache.expire(this.performance.frames);
     this.emit("performance", this.performance);
   }

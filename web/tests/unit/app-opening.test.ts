@@ -139,7 +139,7 @@ test("a model without a solid body still opens, and the person makes the points"
 test("what is done while a model is still being understood stays done", async () => {
   const { session } = await dancingSession();
   const opened = session.opening.files([file("tetra.obj", TETRAHEDRON)]);
-  await vi.waitFor(() => expect(session.document.mesh.file).toBe("tetra.obj"), { interval: 1 });
+  await vi.waitFor(() => expect(session.document.mesh.file).toBe("tetra.obj"), { interval: 1, timeout: 20_000 });
   session.settings.rename("Crate");
   await opened;
   expect(session.document).toMatchObject({ name: "Crate", mesh: { file: "tetra.obj" } });

@@ -2,7 +2,7 @@
 
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import { createNodeEngine } from "../../src/engine/node";
-import type { Engine, Frame, Motion, RetargetInput } from "../../src/engine/types";
+import type { Engine, Frame, Motion, RetargetInput, ShapedFrame } from "../../src/engine/types";
 import { golden, hasShared, nod, restControls, setUpPost, sharedText, spot, spotControls, spotJoints, walk02 } from "./engine-support";
 
 let engine: Engine;
@@ -156,6 +156,18 @@ describe("retargeting", () => {
     const input = { ...settings, pairs: Int32Array.of(-1, 1), examples: [{ joints, controls: Float32Array.of(0, 0, 0, 0, 1.6, 0) }] };
     const performance = await engine.retarget(input);
     expect(performance.controls.every(Number.isFinite)).toBe(true);
+  });
+
+  test("of minutes shows its first frame, nearly as it will be, before all of it is solved", async () => {
+    await setUpPost(engine, 2000);
+    const looks: ShapedFrame[] = [];
+    const input = { pairs: Int32Array.of(0, 1), examples: [], smoothness: 0.3, volume: 1, groundContact: true, inPlace: false };
+    const { frames } = await engine.retarget(input, {}, (frame) => looks.push(frame));
+    expect(frames).toBe(2000);
+    expect(looks).toHaveLength(1);
+    await engine.shapes([0], (_, { shape }) => {
+      expect(Math.max(...shape.map((x, k) => Math.abs(x - looks[0].shape[k])))).toBeLessThan(0.05);
+    });
   });
 
   test("leaves the travel out in place", async () => {

@@ -85,7 +85,8 @@ inline void pose_bvh(const BvhHierarchy& hierarchy, const double* values, const 
         translation[channel.axis] = root || reading.stand_for_offset ? value : node.offset[channel.axis] + value;
       }
     }
-    positions[j] = frame * translation;
+    for (int k = 0; k < 3; ++k)
+      positions[j][k] = frame(k, 0) * translation[0] + (frame(k, 1) * translation[1] + frame(k, 2) * translation[2]);
     if (!root) positions[j] += positions[static_cast<std::size_t>(node.parent)];
     rotations[j] = rotation;
   }

@@ -88,13 +88,14 @@ inline Status read_bvh_values(TextScanner& scanner, std::size_t channels, BvhMot
   const std::uint64_t all = declared == 0 || channels == 0 ? rows.values.size() : declared * channels;
   const bool flows =
       channels > 0 && all % channels == 0 && std::binary_search(rows.starts.begin(), rows.starts.end(), all);
-  const bool frame_a_row = 2 * exact > rows.rows() && (!flows || rows.rows() == declared);
+  const bool even = exact == rows.rows();  // nothing to mend: the numbers are the frames
+  const bool frame_a_row = !even && 2 * exact > rows.rows() && (!flows || rows.rows() == declared);
   if (rows.rows() > 0 && !flows && 2 * numbered > rows.rows() && rows.values[0] >= 0 && rows.values[0] <= 1) {
     notes.frame_numbers = true;
     take_rows(rows, channels, 1, motion, notes);
   } else if (frame_a_row) {
     take_rows(rows, channels, 0, motion, notes);
-  } else if (declared > 1 && rows.rows() == declared && alike == declared) {
+  } else if (!even && declared > 1 && rows.rows() == declared && alike == declared) {
     return {Error::bad_syntax, rows.lines[0]};
   } else {
     motion.values = std::move(rows.values);

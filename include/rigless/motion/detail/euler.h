@@ -16,9 +16,24 @@ inline void turn_about_axis(std::int32_t axis, double angle, Mat3<double>& rotat
   const std::int32_t b = (axis + 2) % 3;
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  const Vec3<double> first = rotation.col(a);
-  rotation.col(a) = c * first + s * rotation.col(b);
-  rotation.col(b) = c * rotation.col(b) - s * first;
+  double* const first = rotation.data() + 3 * a;  // plain columns: Eigen's cost ten times as much where built for size
+  double* const second = rotation.data() + 3 * b;
+  for (int k = 0; k < 3; ++k) {
+    const double x = first[k], y = second[k];
+    first[k] = c * x + s * y;
+    second[k] = c * y - s * x;
+  }
+}
+
+// A b, by plain loops for the same reason. Does not allocate.
+inline Mat3<double> turned_by(const Mat3<double>& a, const Mat3<double>& b) {
+  Mat3<double> product;
+  for (int k = 0; k < 9; ++k) {
+    const double* const row = a.data() + k % 3;
+    const double* const column = b.data() + k / 3 * 3;
+    product.data()[k] = row[0] * column[0] + (row[3] * column[1] + row[6] * column[2]);
+  }
+  return product;
 }
 
 }  // namespace rigless::detail

@@ -28,11 +28,11 @@ inline void pose_acclaim(const AcclaimSkeleton& skeleton, const AmcParser& motio
       if (channel.kind == AcclaimChannel::Kind::rotation) turn_about_axis(channel.axis, value[k] * angle_unit, turn);
       if (channel.kind == AcclaimChannel::Kind::translation && bone.parent < 0) translation[channel.axis] = value[k];
     }
-    rotations[b] = bone.axis * turn * bone.axis.transpose();
+    rotations[b] = turned_by(turned_by(bone.axis, turn), bone.axis.transpose());
     positions[b] = translation;
     if (bone.parent < 0) continue;
     const std::size_t parent = static_cast<std::size_t>(bone.parent);
-    rotations[b] = (rotations[parent] * rotations[b]).eval();
+    rotations[b] = turned_by(rotations[parent], rotations[b]);
     positions[b] = positions[parent] + rotations[b] * translation;
   }
 }

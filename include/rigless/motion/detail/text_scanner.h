@@ -62,7 +62,10 @@ class TextScanner {
  private:
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-  bool at_comment() const { return text_[at_] == '#' || text_.substr(at_, 2) == "//"; }
+  bool at_comment() const {
+    const char c = text_[at_];
+    return c == '#' || (c == '/' && text_.substr(at_, 2) == "//");
+  }
   std::size_t word_end() const;
 
   std::string_view text_;

@@ -35,22 +35,27 @@ class PoseFeatures {
     examples_ = normalise(examples, to_size(joint_count), spreads, clip_spreads);
   }
 
-  // The features of a control paired with `joint` (or -1): T x D and N x D. Allocates.
-  void features(std::int32_t joint, S pose_weight, std::vector<S>& clip, std::vector<S>& examples) const {
+  // The whole poses of the clip, T x 3P, before any weight.
+  Span<const S> poses() const { return {clip_.data()->data(), 3 * clip_.size()}; }
+
+  // The features of a control paired with `joint` (or -1): of the clip its own joint, T x 3 or none, in `clip`, behind
+  // which come poses() times what is returned; of the examples all of them, N x D. Allocates.
+  S features(std::int32_t joint, S pose_weight, std::vector<S>& clip, std::vector<S>& examples) const {
     const auto found = std::find(paired_.begin(), paired_.end(), joint);
     const bool own = joint >= 0 && found != paired_.end();
     const auto slot = to_size(found - paired_.begin());
     const S weight = (own ? pose_weight : S(1)) / std::sqrt(static_cast<S>(paired_.size()));
-    const auto fill = [&](const std::vector<Vec3<S>>& poses, std::vector<S>& out) {
+    const auto fill = [&](const std::vector<Vec3<S>>& poses, bool whole, std::vector<S>& out) {
       out.clear();
       for (std::size_t first = 0; first < poses.size(); first += paired_.size()) {
         if (own) out.insert(out.end(), poses[first + slot].data(), poses[first + slot].data() + 3);
-        for (std::size_t p = 0; p < paired_.size(); ++p)
+        for (std::size_t p = 0; whole && p < paired_.size(); ++p)
           for (int axis = 0; axis < 3; ++axis) out.push_back(weight * poses[first + p][axis]);
       }
     };
-    fill(clip_, clip);
-    fill(examples_, examples);
+    fill(clip_, false, clip);
+    fill(examples_, true, examples);
+    return weight;
   }
 
  private:
@@ -58,6 +63,7 @@ class PoseFeatures {
                                  const std::vector<JointSpread<S>>& spreads,
                                  const std::vector<JointSpread<S>>& clip_spreads) const {
     std::vector<Vec3<S>> out;
+    out.reserve(poses.size() / joints * paired_.size());
     for (std::size_t first = 0; first < poses.size(); first += joints) {
       for (const std::int32_t index : paired_) {
         const auto j = to_size(index);

@@ -1,7 +1,7 @@
 // Which frames to show the user as key poses.
 #pragma once
 
-#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,18 +26,32 @@ template <class S>
 std::vector<KeyPose> farthest_poses(Span<const S> features, std::int32_t frames, std::int32_t count) {
   std::vector<KeyPose> keys;
   if (frames <= 0 || count <= 0) return keys;
-  const auto size = static_cast<Eigen::Index>(features.size()) / frames;
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-  const Eigen::Map<const Matrix> poses(features.data(), size, frames);
-  Eigen::Index next = 0;
-  (poses.colwise() - poses.rowwise().mean().eval()).colwise().squaredNorm().minCoeff(&next);
-  Eigen::Matrix<S, 1, Eigen::Dynamic> distance;
-  distance.setConstant(frames, std::numeric_limits<S>::infinity());
+  const std::size_t size = features.size() / to_size(frames);
+  const auto squared_distance = [&](std::size_t frame, const S* from) {
+    const S* const pose = features.data() + frame * size;
+    S sum = 0;
+    for (std::size_t d = 0; d < size; ++d) sum += (pose[d] - from[d]) * (pose[d] - from[d]);
+    return sum;
+  };
+  std::vector<S> mean(size, 0), distance(to_size(frames), std::numeric_limits<S>::infinity());
+  for (std::size_t i = 0; i < features.size(); ++i) mean[i % size] += features[i];
+  for (S& m : mean) m /= static_cast<S>(frames);
+  std::size_t next = 0;
+  S nearest = std::numeric_limits<S>::infinity();
+  for (std::size_t f = 0; f < distance.size(); ++f) {
+    const S away = squared_distance(f, mean.data());
+    if (away < nearest) next = f;
+    nearest = std::min(nearest, away);
+  }
   while (keys.size() < to_size(count)) {
-    const auto frame = static_cast<std::int32_t>(next);
-    distance = distance.cwiseMin((poses.colwise() - poses.col(next).eval()).colwise().squaredNorm());
-    const S farthest = distance.maxCoeff(&next);
-    keys.push_back({frame, std::sqrt(static_cast<double>(farthest))});
+    const std::size_t key = next;
+    S farthest = -1;
+    for (std::size_t f = 0; f < distance.size(); ++f) {
+      distance[f] = std::min(distance[f], squared_distance(f, features.data() + key * size));
+      if (distance[f] > farthest) next = f;
+      farthest = std::max(farthest, distance[f]);
+    }
+    keys.push_back({static_cast<std::int32_t>(key), std::sqrt(static_cast<double>(farthest))});
     if (farthest <= S(0)) break;
   }
   return keys;

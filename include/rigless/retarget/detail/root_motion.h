@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigless/math/detail/macros.h"
+#include "rigless/math/detail/smooth_step.h"
 #include "rigless/math/span.h"
 #include "rigless/math/status.h"
 #include "rigless/math/types.h"
@@ -42,12 +44,30 @@ S travel_ratio(const SourceTravel<S>& travel, const std::vector<Vec3<S>>& veloci
   return own > S(0) ? std::clamp(both / own, travel.scale / S(3), travel.scale * S(3)) : travel.scale;
 }
 
+// Turns `velocity` (T, per frame) to where the source goes, as far as that goes anywhere within half a second: legs
+// that swing otherwise than the human's would lead a body astray. How fast it is stays, and how it sways. Allocates.
+template <class S>
+RIGLESS_COLD void steer(const SourceTravel<S>& source, S fps, std::vector<Vec3<S>>& velocity) {
+  constexpr S window = S(21), walks = S(0.5);  // frames at 30 fps; metres per second
+  std::vector<Vec3<S>> way(velocity.size(), Vec3<S>::Zero()), own = velocity;
+  for (std::size_t f = 1; f < way.size(); ++f) way[f] = source.root[f] - source.root[f - 1];
+  smooth_hann(way, window, fps);
+  smooth_hann(own, window, fps);
+  for (std::size_t f = 0; f < way.size(); ++f) {
+    const S far = std::sqrt(way[f].x() * way[f].x() + way[f].z() * way[f].z());
+    const S fast = std::sqrt(own[f].x() * own[f].x() + own[f].z() * own[f].z());
+    const S share = smooth_step(far * fps / walks);
+    for (const int axis : {0, 2})
+      if (far > S(0)) velocity[f][axis] += share * (fast / far * way[f][axis] - own[f][axis]);
+  }
+}
+
 // The root of T frames from the controls that stand: per frame it moves against their mean horizontal motion, counting
 // the controls labelled in this frame and the one before. While nothing stands it moves as the source does, scaled, or
-// keeps its speed if the source is unknown. The speed is smoothed and summed; y puts the smoothed lowest sole on the
-// ground. tracks: T x C local positions with the source's yaw put back; labels: T x C, not 0 while a control stands;
-// ground: C, rest height of each control above the lowest vertex; root: T. Allocates. Errors: no_controls;
-// size_mismatch.
+// keeps its speed if the source is unknown; and it goes where the source does, see steer(). The speed is smoothed and
+// summed; y puts the smoothed lowest sole on the ground. tracks: T x C local positions with the source's yaw put back;
+// labels: T x C, not 0 while a control stands; ground: C, rest height of each control above the lowest vertex; root: T.
+// Allocates. Errors: no_controls; size_mismatch.
 template <class S>
 Status root_from_contacts(Span<const Vec3<S>> tracks, Span<const std::uint8_t> labels, Span<const S> ground,
                           const SourceTravel<S>& source, const RootMotionOptions<S>& options,
@@ -78,6 +98,7 @@ Status root_from_contacts(Span<const Vec3<S>> tracks, Span<const std::uint8_t> l
     const S ratio = travel_ratio(source, velocity, stood, options.fps);
     for (std::size_t f = 1; f < frames; ++f)
       if (stood[f] == 0) velocity[f] = ratio * (source.root[f] - source.root[f - 1]);
+    steer(source, options.fps, velocity);
   }
   smooth_hann(velocity, options.window, options.fps);
   smooth_hann(lowest, options.window, options.fps);

@@ -83,7 +83,7 @@ class SpacetimeSolver {
     return all > 0 ? 0.9 * done / all : 0;
   }
 
-  // T positions of one track, and its T x N weights.
+  // T positions of one track, and its T x N weights where they are kept.
   Span<const Vec3<S>> track(std::int32_t index) const { return nth(solution_, index); }
   Span<const S> weights(std::int32_t index) const { return nth(weights_, index); }
 
@@ -125,13 +125,14 @@ class SpacetimeSolver {
     if (frame_ == 0) {
       TrackOptions<S> options = options_.track;
       if (!constrained(track_)) options.offset_weight = 0;
-      system(track_).bind(static_cast<std::int32_t>(frames_), in.example_controls.size(), options);
+      const std::size_t kept = options_.keep_weights ? in.example_controls.size() : 0;
+      system(track_).bind(static_cast<std::int32_t>(frames_), kept, options);
       elimination_.bind(in.example_features, in.example_controls, options_.weights);
     }
     WeightCost<S> cost;
     const std::size_t first = frame_ * in.example_controls.size();
     if (!in.stiffness.empty()) cost = {&in.stiffness[first], &in.pull[first]};
-    if (!system(track_).append(elimination_, &in.features[frame_ * (in.features.size() / frames_)], cost)) {
+    if (!system(track_).append(elimination_, features_of(in), cost)) {
       status_ = {Error::factorization_failed, frame_};
       stage_ = Stage::done;
       return;
@@ -144,13 +145,24 @@ class SpacetimeSolver {
     stage_ = rows_.empty() ? Stage::done : Stage::rows;
   }
 
+  // Those of the next frame.
+  const S* features_of(const TrackInput<S>& in) {
+    const std::size_t own = in.features.size() / frames_, all = in.dimension(frames_);
+    const S* const first = in.features.data() + frame_ * own;
+    if (own == all) return first;
+    const S* const shared = in.shared.data() + frame_ * (all - own);
+    feature_.resize(all);
+    for (std::size_t d = 0; d < all; ++d) feature_[d] = d < own ? first[d] : in.share * shared[d - own];
+    return feature_.data();
+  }
+
   // Solves one track under force_, and recovers its weights.
   void solve_track(std::size_t track) {
-    const std::size_t examples = inputs_[track].example_controls.size();
+    const std::size_t examples = options_.keep_weights ? inputs_[track].example_controls.size() : 0;
     solution_[track].resize(frames_);
     weights_[track].resize(frames_ * examples);
     system(track).solve(force_, true, solution_[track]);
-    system(track).recover_weights(force_, solution_[track], weights_[track]);
+    if (examples > 0) system(track).recover_weights(force_, solution_[track], weights_[track]);
   }
 
   void add_force(std::size_t track, const ConstraintRow<S>& row, S multiplier) {
@@ -197,6 +209,7 @@ class SpacetimeSolver {
   Status status_;
   std::size_t track_ = 0, frame_ = 0, row_ = 0;  // what comes next
   WeightElimination<S> elimination_;
+  std::vector<S> feature_;                  // D
   std::vector<SpacetimeTrack<S>> systems_;  // 0: shared by the tracks without constraints
   std::vector<std::size_t> workspace_;      // C, into systems_
   std::vector<Vec3<S>> force_, change_;     // T

@@ -28,7 +28,7 @@ struct TrackOptions {
 template <class S>
 class SpacetimeTrack {
  public:
-  // Makes room for T frames of N weights. Allocates.
+  // Makes room for T frames of N weights, 0: which are not kept. Allocates.
   void bind(std::int32_t frames, std::size_t examples, const TrackOptions<S>& options) {
     const auto count = to_size(frames);
     options_ = options;
@@ -50,8 +50,9 @@ class SpacetimeTrack {
   // Takes in the next frame, features j (D). Returns false when its weights are not determined. No allocation.
   bool append(WeightElimination<S>& weights, const S* j, const WeightCost<S>& cost) {
     const std::size_t f = next_;
-    if (!weights.eliminate(j, cost, position_[f], compliance_[f], &free_[f * examples_], &response_[f * examples_]))
-      return false;
+    S* const free = examples_ > 0 ? &free_[f * examples_] : nullptr;
+    Vec3<S>* const response = examples_ > 0 ? &response_[f * examples_] : nullptr;
+    if (!weights.eliminate(j, cost, position_[f], compliance_[f], free, response)) return false;
     if (has_offset()) {
       append_both(f);
     } else {

@@ -57,7 +57,7 @@ class WeightElimination {
     right_.resize(unknowns_ * 4);
   }
 
-  // Eliminates the frame with features j (D). free: N weights; response: N x 3. No allocation.
+  // Eliminates the frame with features j (D). free: N weights; response: N x 3; or both null. No allocation.
   // Returns false when the weights are not determined.
   bool eliminate(const S* j, const WeightCost<S>& cost, Vec3<S>& position, Mat3<S>& compliance, S* free,
                  Vec3<S>* response) {
@@ -73,6 +73,7 @@ class WeightElimination {
       position[a] = (hard() ? controls_[order_[0]][a] : S(0)) + product(a, 3);
       for (int b = 0; b <= a; ++b) compliance(a, b) = compliance(b, a) = product(a, b);
     }
+    if (free == nullptr) return true;
     columns::lower_transposed(system_.data(), n, right_.data(), 4);
     write_weights(free, response);
     return true;

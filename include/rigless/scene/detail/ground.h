@@ -89,7 +89,8 @@ class Ground {
     for (std::size_t i = 0; i < world.size(); ++i) world[i] += wound[i / feet];
     const auto first = wound.begin() + static_cast<std::ptrdiff_t>(before);
     root.assign(first, first + p.frames);
-    for (std::int32_t f = 0; f < p.frames; ++f) p.travel.push_back({nth(root, f).x(), nth(root, f).z(), lift(f)});
+    const std::vector<S> lift = lifts();
+    for (std::int32_t f = 0; f < p.frames; ++f) p.travel.push_back({nth(root, f).x(), nth(root, f).z(), nth(lift, f)});
 
     const auto slip = [&] {
       return measure_slip<S>({world.data() + before * feet, own}, standing_.labels, static_cast<std::int32_t>(feet),
@@ -112,33 +113,35 @@ class Ground {
  private:
   static constexpr std::int32_t longest_stance = 60;  // frames: a loop's stances are whole on both sides of its seam
 
-  // How far the human is above what it stood on before and will stand on, in the model's size; 0 where it stands or
-  // flies.
-  RIGLESS_COLD S lift(std::int32_t f) const {
+  // T: how far the human is above what it stood on before and will stand on, in the model's size; 0 where it stands or
+  // flies. Allocates.
+  RIGLESS_COLD std::vector<S> lifts() const {
     const std::size_t feet = standing_.control.size();
-    const auto lowest = [&](std::int32_t g) {
-      S y = motion_->clip.at(g, 0).y();
-      for (std::int32_t j = 1; j < motion_->clip.joints(); ++j) y = std::min(y, motion_->clip.at(g, j).y());
-      return y;
-    };
-    const auto stands = [&](std::int32_t g) {
-      const auto labels = standing_.labels.begin() + static_cast<std::ptrdiff_t>(to_size(g) * feet);
+    const std::int32_t frames = motion_->clip.frames, period = motion_->loop_period;
+    std::vector<S> lowest, lift(to_size(frames), S(-1));
+    for (std::int32_t f = 0; f < frames; ++f) {
+      lowest.push_back(motion_->clip.at(f, 0).y());
+      for (std::int32_t j = 1; j < motion_->clip.joints(); ++j)
+        lowest.back() = std::min(lowest.back(), motion_->clip.at(f, j).y());
+    }
+    const auto stands = [&](std::int32_t f) {
+      const auto labels = standing_.labels.begin() + static_cast<std::ptrdiff_t>(to_size(f) * feet);
       return std::count(labels, labels + static_cast<std::ptrdiff_t>(feet), 1) > 0;
     };
-    for (const Flight& flight : flights_)
-      if (flight.take_off < f && f < flight.landing) return 0;
-    S least = 0;
-    bool found = false;
-    for (const std::int32_t way : {-1, 1}) {
-      std::int32_t k = 0, g = f;
-      while (!stands(g) && ++k < motion_->clip.frames)
-        g = frame_around(f + k * way, motion_->clip.frames, motion_->loop_period);
-      if (!stands(g)) continue;
-      const S above = lowest(f) - lowest(g);
-      least = found ? std::min(least, above) : above;
-      found = true;
+    for (const std::int32_t way : {1, -1}) {  // from where it stood last, then from where it stands next
+      std::int32_t stood = -1;
+      for (std::int32_t k = -period; k < frames; ++k) {
+        const std::int32_t f = way > 0 ? k : frames - 1 - k, g = frame_around(f, frames, period);
+        if (stands(g)) stood = g;
+        if (k < 0 || stood < 0) continue;
+        const S above = std::max(nth(lowest, f) - nth(lowest, stood), S(0));
+        nth(lift, f) = nth(lift, f) < S(0) ? above : std::min(nth(lift, f), above);
+      }
     }
-    return travel_scale * std::max(least, S(0));
+    for (S& above : lift) above = travel_scale * std::max(above, S(0));
+    for (const Flight& flight : flights_)
+      for (std::int32_t f = flight.take_off + 1; f < flight.landing; ++f) nth(lift, f) = 0;
+    return lift;
   }
 
   // What a loop turns until it begins again.

@@ -57,10 +57,11 @@ struct LapMargin {
 
   std::int32_t margin() const { return std::min(most, period); }
 
-  // (T + 2 margin) x J of T x J. Allocates.
+  // (T + 2 margin) x J of T x J, which are put together in `wound` where there is a margin. Allocates.
   template <class S>
-  std::vector<Vec3<S>> wind(Span<const Vec3<S>> poses, std::size_t joints) const {
-    std::vector<Vec3<S>> wound;
+  Span<const Vec3<S>> wind(Span<const Vec3<S>> poses, std::size_t joints, std::vector<Vec3<S>>& wound) const {
+    if (margin() == 0) return poses;
+    wound.clear();
     for (std::int32_t f = -margin(); f < frames + margin(); ++f)
       for (std::size_t j = 0; j < joints; ++j)
         wound.push_back(poses[to_size(frame_around(f, frames, period)) * joints + j]);

@@ -28,7 +28,8 @@ struct Rise {
 template <class S>
 RIGLESS_COLD Rise<S> rise_of(const StagedMotion<S>& motion, const LapMargin& laps, S size, S height) {
   const std::size_t joints = to_size(motion.clip.joints()), frames = to_size(laps.frames);
-  const std::vector<Vec3<S>> poses = laps.wind<S>(motion.local, joints);
+  std::vector<Vec3<S>> wound;
+  const Span<const Vec3<S>> poses = laps.wind<S>(motion.local, joints, wound);
   Rise<S> rise;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (i % joints == 0) {

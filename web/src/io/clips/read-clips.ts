@@ -9,6 +9,7 @@ import type { ReadingOptions } from "../read-model";
 import type { FoundClip } from "./found-clip";
 import { jointsOfTree, movedBy } from "./joints-of-tree";
 import type { MovingTree } from "./moving-tree";
+import { ownMoves } from "./own-moves";
 import { poseOf, sampleClip, spanOf } from "./sample-clip";
 import { writeBvh } from "./write-bvh";
 
@@ -36,14 +37,17 @@ export async function readClips(files: readonly NamedFile[], { onProgress }: Rea
   if (joints.length > MOST_JOINTS) throw new ModelError(`${name} moves ${count(joints.length, "joint")}, and we read 4,096 at most.`);
   const rest = poseOf(tree, joints);
   const names = joints.map(({ object }) => nameOf(object));
+  let shows = false;
+  tree.traverse((object) => void (shows ||= "isMesh" in object || object.userData.shows === true));
   const stem = name.replace(/\.[^.]*$/, "");
   return clipNames(long).map((called, k) => {
     const sampled = sampleClip(tree, joints, long[k]);
     onProgress?.((k + 1) / long.length);
     const title = long.length === 1 ? `${stem}.bvh` : `${stem} ${called.replace(/[/\\:*?"<>|\x00-\x1f]+/g, "-")}.bvh`;
+    const moves = shows ? { moves: ownMoves(names, rest, sampled) } : {};
     const text = writeBvh(joints, names, rest, sampled, metres);
     const seconds = (sampled.positions.length - 1) / sampled.fps;
-    return { name: called, seconds, motion: { files: [title], input: { name: title, text } } };
+    return { name: called, seconds, motion: { files: [title], input: { name: title, text }, ...moves } };
   });
 }
 
