@@ -44,11 +44,14 @@ export default defineConfig({
   preview: { port: 5173, strictPort: true },
   plugins: [
     {
-      name: "dense-json", // projects are laid out for people who read them: nobody does on their way into the page
+      name: "dense", // projects and motions are laid out for people who read them: nobody does on their way into the page
       apply: "build",
       generateBundle(_, bundle) {
-        for (const asset of Object.values(bundle))
-          if (asset.type === "asset" && asset.fileName.endsWith(".json")) asset.source = JSON.stringify(JSON.parse(String(asset.source)));
+        for (const asset of Object.values(bundle)) {
+          if (asset.type !== "asset") continue;
+          if (asset.fileName.endsWith(".json")) asset.source = JSON.stringify(JSON.parse(String(asset.source)));
+          if (asset.fileName.endsWith(".bvh")) asset.source = String(asset.source).replace(/\n[ \t]+/g, "\n").replace(/\b0\./g, ".");
+        }
       },
     },
     {

@@ -132,26 +132,32 @@ class Clearance {
     low_ = low - half;
     row_ = std::max((high - low + solid.cell) / S(rows), S(1e-6));
     const std::vector<char> thin = find_thin(solid);
-    std::array<std::vector<S>, to_size(rows * columns)> reached;  // by nodes
-    for (std::size_t i = 0; i < solid.rest.size(); ++i) {
-      if (on_limb[i] != 0 || thin[i] != 0) continue;
-      const Vec3<S> away = level(solid.rest[i] - axis_);
-      // Cubes reach beyond the surface, which a hand may graze at a hip, but never in the face.
-      const bool is_face = head_ >= 0 && solid.rest[i].y() > neck_;
-      const S far = std::max(is_face ? away.norm() + half : away.norm(), half);
-      const S width = S(columns / 4) * half / std::max(away.norm(), half);
-      const S at = direction(away), y = solid.rest[i].y() - low_;
-      const int first = static_cast<int>((y - half) / row_), last = static_cast<int>((y + half) / row_);
-      for (int row = std::max(first, 0); row <= std::min(last, rows - 1); ++row)
-        for (int k = static_cast<int>(std::floor(at - width)); k <= static_cast<int>(at + width); ++k)
-          reached[to_size(row * columns + (k + columns) % columns)].push_back(far);
-    }
-    for (std::size_t k = 0; k < reached.size(); ++k) {
-      std::sort(reached[k].begin(), reached[k].end());
-      outline_[k] = S(0);
-      for (const S far : reached[k]) {
-        if (far - outline_[k] > (outline_[k] > S(0) ? S(3) * solid.cell : S(0.25) * (high - low))) break;  // a gap
-        outline_[k] = far;
+    std::array<std::uint64_t, to_size(rows * columns)> reached{};  // in which cells away from the axis nodes are
+    std::array<int, to_size(rows * columns)> last;                 // of these before a gap
+    outline_.fill(S(0));
+    for (const bool second : {false, true}) {
+      for (std::size_t i = 0; i < solid.rest.size(); ++i) {
+        if (on_limb[i] != 0 || thin[i] != 0) continue;
+        const Vec3<S> away = level(solid.rest[i] - axis_);
+        // Cubes reach beyond the surface, which a hand may graze at a hip, but never in the face.
+        const bool is_face = head_ >= 0 && solid.rest[i].y() > neck_;
+        const S far = std::max(is_face ? away.norm() + half : away.norm(), half);
+        const S width = S(columns / 4) * half / std::max(away.norm(), half);
+        const S at = direction(away), y = solid.rest[i].y() - low_;
+        const int cell = std::min(static_cast<int>(far / solid.cell), 63);
+        const int first = static_cast<int>((y - half) / row_), top = static_cast<int>((y + half) / row_);
+        for (int row = std::max(first, 0); row <= std::min(top, rows - 1); ++row) {
+          for (int k = static_cast<int>(std::floor(at - width)); k <= static_cast<int>(at + width); ++k) {
+            const std::size_t one = to_size(row * columns + (k + columns) % columns);
+            if (!second) reached[one] |= std::uint64_t{1} << cell;
+            if (second && cell <= last[one]) outline_[one] = std::max(outline_[one], far);
+          }
+        }
+      }
+      for (std::size_t one = 0; one < reached.size() && !second; ++one) {
+        last[one] = static_cast<int>(S(0.25) * (high - low) / solid.cell) - 3;
+        for (int cell = 0; cell < 64; ++cell)
+          if ((reached[one] >> cell & 1) != 0 && cell <= last[one] + 3) last[one] = std::max(last[one], cell);
       }
     }
   }
