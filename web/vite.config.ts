@@ -50,7 +50,10 @@ export default defineConfig({
         for (const asset of Object.values(bundle)) {
           if (asset.type !== "asset") continue;
           if (asset.fileName.endsWith(".json")) asset.source = JSON.stringify(JSON.parse(String(asset.source)));
-          if (asset.fileName.endsWith(".bvh")) asset.source = String(asset.source).replace(/\n[ \t]+/g, "\n").replace(/\b0\./g, ".");
+          if (asset.fileName.endsWith(".bvh"))
+            asset.source = String(asset.source)
+              .replace(/\n[ \t]+/g, "\n")
+              .replace(/\b0\./g, ".");
         }
       },
     },

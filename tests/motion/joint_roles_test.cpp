@@ -158,10 +158,9 @@ TEST_CASE("Acclaim joints are the ends of their bones" * test::needs_shared()) {
   CHECK(name(roles.head) == "head");
 }
 
-TEST_CASE_TEMPLATE("without names the tree tells the whole body", S, float, double) {
+TEST_CASE_TEMPLATE("without names the tree tells the whole body" * test::needs_shared(), S, float, double) {
   for (const char* file : {"131_03.bvh", "jumping_jacks.bvh", "zombie.bvh"}) {
     const std::string text = shared_motion(file);
-    if (text.empty()) continue;
     CAPTURE(file);
     Clip<S> clip;
     REQUIRE(parse_bvh(text, clip).ok());
