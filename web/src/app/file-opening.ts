@@ -145,7 +145,7 @@ export class FileOpening {
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
       const { report } = await this.steps.change((document) => named(commands.setMesh(mesh)(document)), job, gesture);
       selection.endIntro();
-      opened = model;
+      opened = sources.model(file);
       this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
     });
     for (const other of others) this.steps.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });

@@ -30,6 +30,12 @@ export class Sources {
     return name;
   }
 
+  /** By its name in the library, as it was read first. */
+  model(file: string): Model | null {
+    const known = this.library.model(file);
+    return (known && this.of(known)?.model) ?? null;
+  }
+
   addMotion(files: readonly string[], input: MotionInput): readonly string[] {
     return this.library.addMotion(files, input);
   }

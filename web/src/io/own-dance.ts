@@ -8,6 +8,7 @@ import type { Point, ProjectDocument, Vec3 } from "../document/types";
 import { FPS, type Motion } from "../engine/types";
 import { sayPose } from "../sync/pairing";
 import { stageFor } from "../sync/placement";
+import type { NamedJoint } from "../sync/named-body";
 import { pointVertices } from "../sync/point-controls";
 import { STAGE_HEIGHT } from "../util/constants";
 import type { OwnMoves } from "./clips/own-moves";
@@ -37,14 +38,18 @@ export function ownDance(
   if (!moves) return null;
   const own = jointsOf(model.document, model);
   const movers = movedBy(model.document, model, own);
-  const index = new Map(moves.names.map((name, j) => [name, j] as const).reverse());
-  // Joints that no clip moves go with what they hang on.
-  const jointOf = (mover: number | null): number => {
-    for (let k = mover; k !== null && k >= 0; k = own.joints[k].parent) {
+  const has = new Set(motion.joints.map(({ name }) => name));
+  const index = new Map(moves.names.flatMap((name, j) => (has.has(name) ? [[name, j] as const] : [])).reverse());
+  // Joints that no clip moves go with what they hang on; those that hang above the hips, as feet that hands lead do, with what is there.
+  const jointOf = (mover: number): number => {
+    for (let k: number | null = mover; k !== null && k >= 0; k = own.joints[k].parent) {
       const j = index.get(own.joints[k].name);
       if (j !== undefined) return j;
     }
-    return -1;
+    const moved = own.joints.filter(({ name }) => index.has(name));
+    if (mover < 0 || moved.length === 0) return -1;
+    const away = (joint: NamedJoint): number => Math.hypot(...minus(joint.position, own.joints[mover].position));
+    return index.get(moved.reduce((a, b) => (away(b) < away(a) ? b : a)).name) ?? -1;
   };
   const known = motion.joints.map(({ name }) => index.get(name) ?? -1);
   const moverOf = (vertex: number): number => jointOf(movers[vertex]);
@@ -151,7 +156,7 @@ function placesOf(
 }
 
 const at = (places: Float32Array, i: number): Vec3 => [places[i], places[i + 1], places[i + 2]];
-const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const minus = (a: Readonly<Vec3>, b: Readonly<Vec3>): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const inverse = (turns: Float32Array, i: number): number[] => [-turns[i], -turns[i + 1], -turns[i + 2], turns[i + 3]];
 
 /** By a unit quaternion. */

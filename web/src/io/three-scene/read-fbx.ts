@@ -19,15 +19,18 @@ export function readFbx(source: SceneSource): BuiltScene {
   const bytes = checkedCopy(name, file);
   hideCurves(bytes);
   const { tree, metres } = treeOf(name, bytes);
+  tree.traverse((object) => void (object.name = nameOf(object)));
   return readScene(source, tree, metres);
 }
 
 /** Its takes and what they move. Errors (ModelError): older than FBX 7; broken. */
 export function readFbxClips(name: string, file: NamedFile): MovingTree {
   const { tree, metres } = treeOf(name, checkedCopy(name, file));
-  const nameOf = ({ name: own, userData }: Object3D): string => (typeof userData.originalName === "string" ? userData.originalName : own);
   return { tree, metres, clips: tree.animations, nameOf };
 }
+
+/** As the file has it: the loader takes dots out of names. */
+const nameOf = ({ name, userData }: Object3D): string => (typeof userData.originalName === "string" ? userData.originalName : name);
 
 function checkedCopy(name: string, { bytes }: NamedFile): Uint8Array<ArrayBuffer> {
   const copy = bytes.slice();
