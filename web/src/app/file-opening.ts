@@ -1,7 +1,9 @@
+import { clipName } from "../document/clips";
 import * as commands from "../document/commands";
+import { withMotionNames } from "../document/renamed-motions";
 import type { Gesture } from "../document/store";
-import type { Companion, MeshRef } from "../document/types";
-import { EngineError } from "../engine/types";
+import type { Companion, MeshRef, MotionRef } from "../document/types";
+import { EngineError, type MotionInput } from "../engine/types";
 import type { FormatKind } from "../io/format";
 import { formatOf } from "../io/formats";
 import type { Model } from "../io/model";
@@ -97,15 +99,22 @@ export class FileOpening {
     const { sources } = this.openers;
     const model = await this.ports.readModel(opened.modelFiles, reading(job));
     job.step(2);
-    const files = sources.addMotion(opened.document.motion.files, opened.motion);
+    const names = new Map<string, string>();
+    const add = (was: readonly string[], input: MotionInput): MotionRef => {
+      const files = sources.addMotion(was, input);
+      names.set(clipName({ motion: { files: was } }), clipName({ motion: { files } }));
+      return { files };
+    };
+    const motion = add(opened.document.motion.files, opened.motion);
     const file = sources.addModel(opened.document.mesh.file, model, modelFiles(opened.modelFiles));
-    const companion = await this.companion(opened, job);
-    const document = { ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files }, ...(companion && { companion }) };
-    const taken = await this.steps.change(() => document, job, gesture);
-    const namesOf = (names: readonly string[]): string => names.map(baseName).join();
+    const beside = await this.companion(opened, job, add);
+    const namesOf = (files: readonly string[]): string => files.map(baseName).join();
     for (const other of motions)
       if (![opened.document.motion, opened.document.companion?.motion].some((own) => own && namesOf(other.files) === namesOf(own.files)))
-        sources.addMotion(other.files, other.input);
+        add(other.files, other.input);
+    const hand = withMotionNames({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion }, names);
+    const document = { ...hand, ...(beside && { companion: withMotionNames(beside, names) }) };
+    const taken = await this.steps.change(() => document, job, gesture);
     const { history, selection } = this.context;
     history.markSaved();
     selection.endIntro();
@@ -119,12 +128,16 @@ export class FileOpening {
   }
 
   /** Whoever dances beside in a project, with the names that our library has for its files. */
-  private async companion({ document: { companion }, beside }: OpenedProject, job: JobHandle): Promise<Companion | null> {
+  private async companion(
+    { document: { companion }, beside }: OpenedProject,
+    job: JobHandle,
+    add: (files: readonly string[], input: MotionInput) => MotionRef,
+  ): Promise<Companion | null> {
     const { sources } = this.openers;
     if (!companion || !beside) return null;
     const model = await this.ports.readModel(beside.modelFiles, reading(job));
     const file = sources.addModel(companion.mesh.file, model, modelFiles(beside.modelFiles));
-    const motion = companion.motion && beside.motion && { files: sources.addMotion(companion.motion.files, beside.motion) };
+    const motion = companion.motion && beside.motion && add(companion.motion.files, beside.motion);
     return { ...companion, mesh: { ...companion.mesh, file }, ...(motion && { motion }) };
   }
 
