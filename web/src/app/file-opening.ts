@@ -48,8 +48,8 @@ export class FileOpening {
       else {
         const opened = await this.model(sorted, job, gesture);
         await this.motions(sorted.motions, job, gesture);
-        if (opened) await this.guess(opened, job);
-        if (opened && sorted.moves) this.offerMotions(opened);
+        if (opened) await this.guess(opened.model, opened.file, job);
+        if (opened && sorted.moves) this.offerMotions(opened.model);
       }
       const [song] = sorted.songs;
       if (song) await (await this.openers.music()).take({ ...song, name: baseName(song.name) });
@@ -141,13 +141,13 @@ export class FileOpening {
     return { ...companion, mesh: { ...companion.mesh, file }, ...(motion && { motion }) };
   }
 
-  /** Answers the model if it was opened. */
-  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<Model | null> {
+  /** Answers the model and what it is called here if it was opened. */
+  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<{ model: Model; file: string } | null> {
     const [first, ...others] = sorted.models;
     if (!first) return null;
     const { history, selection } = this.context;
     const { sources, guesses } = this.openers;
-    let opened: Model | null = null;
+    let opened: { model: Model; file: string } | null = null;
     await this.steps.guarded(baseName(first.name), async () => {
       const beside = sorted.files.filter((file) => !sorted.models.includes(file) && !sorted.clips.includes(file));
       const model = await this.ports.readModel([first, ...beside], reading(job));
@@ -158,7 +158,7 @@ export class FileOpening {
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
       const { report } = await this.steps.change((document) => named(commands.setMesh(mesh)(document)), job, gesture);
       selection.endIntro();
-      opened = model;
+      opened = { model, file };
       this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
     });
     for (const other of others) this.steps.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
@@ -172,10 +172,11 @@ export class FileOpening {
   }
 
   /** Makes a model that just came dance at once, as a step of its own; where that cannot be, the person makes the points. */
-  private async guess(model: Model, job: JobHandle): Promise<void> {
+  private async guess(model: Model, file: string, job: JobHandle): Promise<void> {
     const { history, selection } = this.context;
     const guess = await this.openers.guesses.of(model);
     const { mesh } = history.document;
+    if (mesh.file !== file) return; // it was undone meanwhile
     try {
       if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
       const add = commands.addPoints(guess.points, guess.roles);

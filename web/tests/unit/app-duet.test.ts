@@ -118,6 +118,25 @@ test("who cannot come changes nothing, and that is said", async () => {
   expect(duet.at(0.2, 0)?.shape).toBeDefined();
 });
 
+test("who is being tried on comes, whatever is done meanwhile", async () => {
+  const { session, stage } = await dancingSession();
+  const duet = await session.accompany();
+  const { partners } = duet;
+  const first = partners.usePerformer(performer(session, "Lamp"));
+  await expect.poll(() => duet.workspace, { interval: 1 }).not.toBeNull();
+  session.settings.rename("Meanwhile");
+  await first;
+  expect(session.document, said(session.context).join()).toMatchObject({ name: "Meanwhile", companion: { mesh: { file: "lamp.glb" } } });
+  const second = partners.usePerformer(performer(session, "Egg"));
+  await expect.poll(() => partners.coming).not.toBeNull();
+  session.history.undo();
+  await second;
+  await solved(duet);
+  expect(duet.name, said(session.context).join()).toBe("Egg");
+  await expect.poll(() => stage.beside?.model).toBeTruthy();
+  expect(stage.beside?.disposed).toBe(false);
+});
+
 test("a saved project has both, with whatever they dance to", async () => {
   const { session, duet, ports } = await paired();
   ports.chosen = [file("cactus.glb", TETRAHEDRON)];

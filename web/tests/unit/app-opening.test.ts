@@ -136,6 +136,16 @@ test("a model without a solid body still opens, and the person makes the points"
   expect(session.document.mesh.file).toBe("tetra.obj");
 });
 
+test("the places of a model that was taken back while it was understood are not another's", async () => {
+  const { session } = await dancingSession();
+  const { points } = session.document;
+  const opened = session.opening.files([file("tetra.obj", TETRAHEDRON)]);
+  await vi.waitFor(() => expect(session.document.mesh.file).toBe("tetra.obj"), { interval: 1, timeout: 20_000 });
+  session.history.undo();
+  await opened;
+  expect(session.document).toMatchObject({ mesh: { file: "cactus.glb" }, points });
+});
+
 test("what is done while a model is still being understood stays done", async () => {
   const { session } = await dancingSession();
   const opened = session.opening.files([file("tetra.obj", TETRAHEDRON)]);
