@@ -51,6 +51,8 @@ async function openProject(asked: Asked, signal: AbortSignal): Promise<BakeInput
   const [path, ...more] = asked.inputs;
   const { document, modelFiles, motion, beside } = await loadProject(path);
   if (document.points.length === 0) throw new FileError(`${basename(path)}: points is empty; at least one is needed to dance.`);
+  if (document.companion?.points.length === 0)
+    throw new FileError(`${basename(path)}: performers[1].points is empty; at least one is needed to dance.`);
   const own = { files: document.motion.files, input: motion };
   const motions =
     more.length > 0 ? await motionsOf(asked, await loadMotions(more), signal) : asked.all ? await motionsOfProject(path, own) : [own];

@@ -203,7 +203,8 @@ async function danceBeside(
     { model: beside.model, motion: beside.motion ?? motions[0].input },
     { signal, onProgress: (step, done) => progress.step(`${name}: ${step}`, done) },
   );
-  for (const note of pairingNotes(own, baked.motion)) progress.note(`${name}: ${note}`);
+  const pinNotes = (missedPins(own, baked.performance) ?? []).map(({ words }) => words);
+  for (const note of [...pairingNotes(own, baked.motion), ...pinNotes]) progress.note(`${name}: ${note}`);
   return { document: own, offset: companion.offset, model: beside.model, name, frames: baked.frames };
 }
 

@@ -45,6 +45,8 @@ export class Duet {
   private staging: Promise<CompanionPort> | null = null;
   /** What shows while there is no dance. */
   private rest: Shape | null = null;
+  /** How many are being tried on. */
+  private coming = 0;
   /** How often the dance in hand has gone round since somebody set the playhead. */
   private rounds = 0;
   private slide: { key: string; gesture: symbol; from: Offset } | null = null;
@@ -102,16 +104,16 @@ export class Duet {
   private async bring(companion: Companion, { signal, progress }: JobHandle): Promise<void> {
     const { history, selection } = this.context;
     const candidate = companionDocument({ ...history.document, companion });
-    const fresh = this.dance === null;
     if (!candidate) return;
+    this.coming++;
     try {
       await this.open().tryOn(candidate, signal, progress);
-    } catch (error) {
-      if (fresh) this.close();
-      throw error;
+      history.apply(setCompanion(companion));
+      selection.endIntro();
+    } finally {
+      this.coming--;
+      if (!this.companion) this.leave();
     }
-    history.apply(setCompanion(companion));
-    selection.endIntro();
   }
 
   remove(): void {
@@ -184,7 +186,7 @@ export class Duet {
   }
 
   private follow(): void {
-    if (!this.companion) return this.close();
+    if (!this.companion) return this.leave();
     void this.open().sync();
     const { place } = this.companion.offset;
     this.stage?.setPlace(...place);
@@ -206,11 +208,22 @@ export class Duet {
     return dance;
   }
 
+  /** The stage is left; the engine stays for whoever is being tried on. */
+  private leave(): void {
+    if (this.coming === 0) return this.close();
+    this.clear();
+  }
+
   close(): void {
     this.dance?.close();
+    this.dance = null;
+    this.clear();
+  }
+
+  private clear(): void {
     if (this.stage) this.stage.dispose();
     else void this.staging?.then((stage) => stage.dispose());
-    this.dance = this.stage = this.staging = this.rest = null;
+    this.stage = this.staging = this.rest = null;
   }
 
   /** Puts the model on the stage. */

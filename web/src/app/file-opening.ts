@@ -1,7 +1,9 @@
+import { clipName } from "../document/clips";
 import * as commands from "../document/commands";
+import { withMotionNames } from "../document/renamed-motions";
 import type { Gesture } from "../document/store";
-import type { Companion, MeshRef } from "../document/types";
-import { EngineError } from "../engine/types";
+import type { Companion, MeshRef, MotionRef } from "../document/types";
+import { EngineError, type MotionInput } from "../engine/types";
 import type { FormatKind } from "../io/format";
 import { formatOf } from "../io/formats";
 import type { Model } from "../io/model";
@@ -46,8 +48,8 @@ export class FileOpening {
       else {
         const opened = await this.model(sorted, job, gesture);
         await this.motions(sorted.motions, job, gesture);
-        if (opened) await this.guess(opened, job);
-        if (opened && sorted.moves) this.offerMotions(opened);
+        if (opened) await this.guess(opened.model, opened.file, job);
+        if (opened && sorted.moves) this.offerMotions(opened.model);
       }
       const [song] = sorted.songs;
       if (song) await (await this.openers.music()).take({ ...song, name: baseName(song.name) });
@@ -97,15 +99,22 @@ export class FileOpening {
     const { sources } = this.openers;
     const model = await this.ports.readModel(opened.modelFiles, reading(job));
     job.step(2);
-    const files = sources.addMotion(opened.document.motion.files, opened.motion);
+    const names = new Map<string, string>();
+    const add = (was: readonly string[], input: MotionInput): MotionRef => {
+      const files = sources.addMotion(was, input);
+      names.set(clipName({ motion: { files: was } }), clipName({ motion: { files } }));
+      return { files };
+    };
+    const motion = add(opened.document.motion.files, opened.motion);
     const file = sources.addModel(opened.document.mesh.file, model, modelFiles(opened.modelFiles));
-    const companion = await this.companion(opened, job);
-    const document = { ...opened.document, mesh: { ...opened.document.mesh, file }, motion: { files }, ...(companion && { companion }) };
-    const taken = await this.steps.change(() => document, job, gesture);
-    const namesOf = (names: readonly string[]): string => names.map(baseName).join();
+    const beside = await this.companion(opened, job, add);
+    const namesOf = (files: readonly string[]): string => files.map(baseName).join();
     for (const other of motions)
       if (![opened.document.motion, opened.document.companion?.motion].some((own) => own && namesOf(other.files) === namesOf(own.files)))
-        sources.addMotion(other.files, other.input);
+        add(other.files, other.input);
+    const hand = withMotionNames({ ...opened.document, mesh: { ...opened.document.mesh, file }, motion }, names);
+    const document = { ...hand, ...(beside && { companion: withMotionNames(beside, names) }) };
+    const taken = await this.steps.change(() => document, job, gesture);
     const { history, selection } = this.context;
     history.markSaved();
     selection.endIntro();
@@ -119,22 +128,26 @@ export class FileOpening {
   }
 
   /** Whoever dances beside in a project, with the names that our library has for its files. */
-  private async companion({ document: { companion }, beside }: OpenedProject, job: JobHandle): Promise<Companion | null> {
+  private async companion(
+    { document: { companion }, beside }: OpenedProject,
+    job: JobHandle,
+    add: (files: readonly string[], input: MotionInput) => MotionRef,
+  ): Promise<Companion | null> {
     const { sources } = this.openers;
     if (!companion || !beside) return null;
     const model = await this.ports.readModel(beside.modelFiles, reading(job));
     const file = sources.addModel(companion.mesh.file, model, modelFiles(beside.modelFiles));
-    const motion = companion.motion && beside.motion && { files: sources.addMotion(companion.motion.files, beside.motion) };
+    const motion = companion.motion && beside.motion && add(companion.motion.files, beside.motion);
     return { ...companion, mesh: { ...companion.mesh, file }, ...(motion && { motion }) };
   }
 
-  /** Answers the model if it was opened. */
-  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<Model | null> {
+  /** Answers the model and what it is called here if it was opened. */
+  private async model(sorted: SortedFiles, job: JobHandle, gesture: Gesture): Promise<{ model: Model; file: string } | null> {
     const [first, ...others] = sorted.models;
     if (!first) return null;
     const { history, selection } = this.context;
     const { sources, guesses } = this.openers;
-    let opened: Model | null = null;
+    let opened: { model: Model; file: string } | null = null;
     await this.steps.guarded(baseName(first.name), async () => {
       const beside = sorted.files.filter((file) => !sorted.models.includes(file) && !sorted.clips.includes(file));
       const model = await this.ports.readModel([first, ...beside], reading(job));
@@ -145,7 +158,7 @@ export class FileOpening {
       const named = commands.renameProject(baseName(file).replace(/\.[^.]+$/, ""));
       const { report } = await this.steps.change((document) => named(commands.setMesh(mesh)(document)), job, gesture);
       selection.endIntro();
-      opened = sources.model(file);
+      opened = { model: sources.model(file) ?? model, file };
       this.steps.say({ ...modelText(model, mesh, report), icon: "scale", actions: [history.undoAction()] });
     });
     for (const other of others) this.steps.say({ title: `${baseName(other.name)} was not opened.`, text: "One model at a time." });
@@ -159,10 +172,11 @@ export class FileOpening {
   }
 
   /** Makes a model that just came dance at once, as a step of its own; where that cannot be, the person makes the points. */
-  private async guess(model: Model, job: JobHandle): Promise<void> {
+  private async guess(model: Model, file: string, job: JobHandle): Promise<void> {
     const { history, selection } = this.context;
     const guess = await this.openers.guesses.of(model);
     const { mesh } = history.document;
+    if (mesh.file !== file) return; // it was undone meanwhile
     try {
       if (!guess || guess.points.length === 0) throw new EngineError("bad_controls", "");
       const add = commands.addPoints(guess.points, guess.roles);

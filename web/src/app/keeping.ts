@@ -133,16 +133,18 @@ export class Keeping {
   }
 
   /** A project that is kept, with its model and motions at hand; it is not opened. Errors: it is not kept any more, or cannot be read. */
-  async borrow(id: string, { signal, progress }: JobHandle): Promise<ProjectDocument> {
+  async borrow(id: string, { signal, progress }: JobHandle): Promise<{ document: ProjectDocument; files: readonly string[] }> {
     const { sources } = this.keepers;
     const work = await (await this.shelf).load(id);
     if (!work) throw new Error("It is not kept any more.");
     const document = this.read(work.steps.present, work.name);
-    for (const { files, input } of work.motions) sources.addMotion(files, input);
+    const named = new Map(work.motions.map(({ files, input }) => [files.join("\n"), sources.addMotion(files, input)]));
     const files = work.models.find(([own]) => own?.name === document.mesh.file);
     if (!files) throw new Error("Its model is gone.");
     const model = await this.ports.readModel(files, { signal, onProgress: progress });
-    return { ...document, mesh: { ...document.mesh, file: sources.addModel(document.mesh.file, model, files) } };
+    const own = { ...document, mesh: { ...document.mesh, file: sources.addModel(document.mesh.file, model, files) } };
+    const { motion } = document;
+    return { document: own, files: named.get(motion.files.join("\n")) ?? motion.files };
   }
 
   async refresh(): Promise<void> {

@@ -1,6 +1,8 @@
 // Who may come to dance beside the one in hand: a character of ours, a project that the browser keeps, or files.
 
 import * as commands from "../document/commands";
+import { clipName } from "../document/clips";
+import { withMotionNames } from "../document/renamed-motions";
 import { BESIDE, companionOf, setCompanionMotion } from "../document/duet";
 import { boundsOf } from "../document/stage-transform";
 import type { Companion, MeshRef, ProjectDocument } from "../document/types";
@@ -65,7 +67,8 @@ export class Partners {
     const { keeping } = this.helpers;
     if (!keeping) return;
     await this.come(id, name, async (job) => {
-      const own = await keeping.borrow(id, job);
+      const { document, files } = await keeping.borrow(id, job);
+      const own = renamed(document, files);
       return companionOf(own, this.offsetOf(own), own.motion);
     });
   }
@@ -117,8 +120,8 @@ export class Partners {
       const model = await this.ports.readModel(opened.modelFiles, reading(job));
       const file = sources.addModel(document.mesh.file, model, modelFiles(opened.modelFiles));
       const files = sources.addMotion(document.motion.files, opened.motion);
-      const own = { ...document, mesh: { ...document.mesh, file } };
-      return companionOf(own, this.offsetOf(own), { files });
+      const own = renamed({ ...document, mesh: { ...document.mesh, file } }, files);
+      return companionOf(own, this.offsetOf(own), own.motion);
     }
     const [first] = sorted.models;
     if (!first) throw new DocumentError(sorted.problems[0] ?? "It holds neither a model nor a project.");
@@ -154,4 +157,10 @@ export class Partners {
       context.signals.tell("duet");
     }
   }
+}
+
+/** Dances to the same motion by the name that it has here. */
+function renamed(own: ProjectDocument, files: readonly string[]): ProjectDocument {
+  const motion = { files };
+  return { ...withMotionNames(own, new Map([[clipName(own), clipName({ motion })]])), motion };
 }

@@ -42,8 +42,10 @@ function withCompanion(
   if (!companion || !model) return [document, files];
   const known = new Map(files.map((file) => [file.name, file.bytes]));
   const theirs = sources.filesOf(model, []);
-  const taken = theirs.some(({ name, bytes }) => known.has(name) && known.get(name) !== bytes);
-  const folder = taken ? "companion/" : "";
+  const free = (folder: string): boolean =>
+    theirs.every(({ name, bytes }) => !known.has(folder + name) || known.get(folder + name) === bytes);
+  let folder = "";
+  for (let n = 1; !free(folder); n++) folder = n > 1 ? `companion ${n}/` : "companion/";
   const placed = theirs.map(({ name, bytes }) => ({ name: folder + name, bytes }));
   const mesh = { ...companion.mesh, file: folder + companion.mesh.file };
   return [{ ...document, companion: { ...companion, mesh } }, [...files, ...placed.filter(({ name }) => !known.has(name))]];

@@ -50,13 +50,22 @@ export const setCompanion =
   ({ companion: _, ...document }) =>
     companion ? { ...document, companion } : document;
 
+/** Metres from the one in hand: as far as a project file reaches. */
+const FARTHEST = 100;
+
+const onFloor = ([x, z]: Offset["place"]): Offset["place"] => {
+  const near = (value: number): number => Math.min(Math.max(value, -FARTHEST), FARTHEST);
+  return [near(x), near(z)];
+};
+
 /** Another time and place for the companion. */
 export const moveCompanion =
   (offset: Partial<Offset>): Command =>
   (document) => {
     const { companion } = document;
     if (!companion) return document;
-    const moved = { ...companion.offset, ...offset };
+    const wanted = { ...companion.offset, ...offset };
+    const moved = { ...wanted, place: onFloor(wanted.place) };
     if (JSON.stringify(moved) === JSON.stringify(companion.offset)) return document;
     return { ...document, companion: { ...companion, offset: moved } };
   };
@@ -85,7 +94,7 @@ export const swapDancers: Command = (document) => {
   const [x, z] = place;
   const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
   const round = (value: number): number => Math.round(1e6 * value) / 1e6 || 0;
-  const offset: Offset = { seconds: -seconds || 0, place: [round(s * z - c * x), round(-s * x - c * z)], yaw: -yaw || 0 };
+  const offset: Offset = { seconds: -seconds || 0, place: onFloor([round(s * z - c * x), round(-s * x - c * z)]), yaw: -yaw || 0 };
   const { motion, ...dancer } = dancerOf(document);
   return { version, name, ...dancerOf(other), companion: { ...dancer, ...(companion.motion && { motion }), offset } };
 };

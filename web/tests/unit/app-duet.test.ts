@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import type { Duet } from "../../src/app/duet";
 import type { Session } from "../../src/app/session";
 import { companionDocument } from "../../src/document/duet";
+import { findFile } from "../../src/io/named-file";
 import { openProject } from "../../src/io/project-file";
 import { split } from "../../src/io/gltf/read";
 import { TETRAHEDRON } from "../support/files";
@@ -117,6 +118,25 @@ test("who cannot come changes nothing, and that is said", async () => {
   expect(duet.at(0.2, 0)?.shape).toBeDefined();
 });
 
+test("who is being tried on comes, whatever is done meanwhile", async () => {
+  const { session, stage } = await dancingSession();
+  const duet = await session.accompany();
+  const { partners } = duet;
+  const first = partners.usePerformer(performer(session, "Lamp"));
+  await expect.poll(() => duet.workspace, { interval: 1 }).not.toBeNull();
+  session.settings.rename("Meanwhile");
+  await first;
+  expect(session.document, said(session.context).join()).toMatchObject({ name: "Meanwhile", companion: { mesh: { file: "lamp.glb" } } });
+  const second = partners.usePerformer(performer(session, "Egg"));
+  await expect.poll(() => partners.coming).not.toBeNull();
+  session.history.undo();
+  await second;
+  await solved(duet);
+  expect(duet.name, said(session.context).join()).toBe("Egg");
+  await expect.poll(() => stage.beside?.model).toBeTruthy();
+  expect(stage.beside?.disposed).toBe(false);
+});
+
 test("a saved project has both, with whatever they dance to", async () => {
   const { session, duet, ports } = await paired();
   ports.chosen = [file("cactus.glb", TETRAHEDRON)];
@@ -150,6 +170,15 @@ test("two models whose files have one name lie apart in the saved project", asyn
   expect(opened.document.companion?.mesh.file).toBe("companion/two.obj");
   expect(opened.beside?.modelFiles[0].name).toBe("companion/two.obj");
   expect(opened.modelFiles.map((one) => one.name)).toContain("t.mtl");
+
+  await session.opening.files(ports.downloads.slice(-1).map(({ name, bytes }) => file(name, bytes)));
+  duet.swap();
+  ports.chosen = [file("three.obj", `mtllib t.mtl\n# a third\n${TETRAHEDRON}`), texture("green")];
+  await duet.partners.pick();
+  await session.saving.save();
+  const { beside } = await openProject(ports.downloads.slice(-1));
+  const material = findFile(beside?.modelFiles ?? [], "t.mtl", beside?.modelFiles[0].name);
+  expect(new TextDecoder().decode(material?.bytes)).toContain("green");
 });
 
 test("a page that is opened again has both, and a kept project may come to dance beside", async () => {

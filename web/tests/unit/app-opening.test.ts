@@ -136,6 +136,19 @@ test("a model without a solid body still opens, and the person makes the points"
   expect(session.document.mesh.file).toBe("tetra.obj");
 });
 
+test("the places of a model that was taken back while it was understood are not another's", async () => {
+  const { session } = await dancingSession();
+  const { points } = session.document;
+  const { history, context } = session;
+  const stop = context.signals.on("document", () => {
+    if (session.document.mesh.file !== "tetra.obj") return;
+    stop();
+    queueMicrotask(() => history.undo());
+  });
+  await session.opening.files([file("tetra.obj", TETRAHEDRON)]);
+  expect(session.document).toMatchObject({ mesh: { file: "cactus.glb" }, points });
+});
+
 test("what is done while a model is still being understood stays done", async () => {
   const { session } = await dancingSession();
   const opened = session.opening.files([file("tetra.obj", TETRAHEDRON)]);

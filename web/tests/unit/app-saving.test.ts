@@ -30,6 +30,20 @@ test("a project is saved with every motion that was brought in, and they are the
   expect(later.context.motionName).toBe("one.bvh");
 });
 
+test("what was said of a motion goes along where its name is taken by another", async () => {
+  const { session, ports } = await dancingSession();
+  const { text } = nod();
+  await session.opening.files([file("one.bvh", text)]);
+  session.history.apply((document) => ({ ...document, clips: { "one.bvh": { cut: [3, 12] } } }));
+  await session.saving.save();
+  const [{ name, bytes }] = ports.downloads;
+  const { session: later } = await dancingSession();
+  await later.opening.files([file("one.bvh", `${text}\n\n`)]);
+  await later.opening.files([file(name, bytes)]);
+  expect(later.context.motionName).toBe("one 2.bvh");
+  expect(later.document.clips).toEqual({ "one 2.bvh": { cut: [3, 12] } });
+});
+
 /** Until the file is there. */
 async function made({ saving }: Session): Promise<MadeFile> {
   await expect.poll(() => saving.exporting?.state.kind, { timeout: 60_000 }).toBe("made");

@@ -105,3 +105,8 @@ describe("a companion", () => {
     expect(BESIDE.place[0]).toBeGreaterThan(0);
   });
 });
+
+it("nobody goes or is put where no project file reaches", () => {
+  const far = moveCompanion({ place: [1e9, -1e9], yaw: 0.8 })(duet);
+  for (const document of [far, swapDancers(far)]) expect(parseProject(serializeProject(document), "x").document).toEqual(document);
+});
