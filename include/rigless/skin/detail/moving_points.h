@@ -51,7 +51,7 @@ class MovingPoints {
     const auto from = [&](std::int32_t v) { return wide(nth(vertices_, v)); };
     const auto to = [&](std::int32_t v) { return wide(positions[v]); };
     roots.push_back(whole ? nearest_rigid_motion(count_of(vertices_), from, to) : RigidMotion());
-    frames_.insert(frames_.end(), positions.begin(), positions.end());
+    frames_.emplace_back(positions.begin(), positions.end());
     return {};
   }
 
@@ -79,9 +79,7 @@ class MovingPoints {
   }
 
   // Where point i is in frame f before the root moves it.
-  Vec3<double> now(std::size_t f, std::int32_t i) const {
-    return roots[f].back(wide(frames_[f * vertices_.size() + nth(vertex_, i)]));
-  }
+  Vec3<double> now(std::size_t f, std::int32_t i) const { return roots[f].back(wide(frames_[f][nth(vertex_, i)])); }
 
   // 3F x many: how points leave their places at rest in the frames that are looked at.
   SkinMatrix ways(Span<const std::int32_t> points) const {
@@ -105,7 +103,9 @@ class MovingPoints {
     return {};
   }
 
-  std::vector<Vec3<S>> vertices_, frames_;
+  std::vector<Vec3<S>> vertices_;
+  std::vector<std::vector<Vec3<S>>>
+      frames_;                       // each on its own: as one they would be moved, and twice there, as they grow
   std::vector<std::size_t> vertex_;  // one of each point
 };
 
