@@ -28,10 +28,11 @@ compile_each() {  # root
     for order in "sort" "sort -r"; do echo "-include $eigen $($order "$scratch/detail" | sed 's/^/-include /' | paste -sd ' ')"; done | sed 's/ *$//'
     grep -vxFf "$scratch/detail" <<< "$known" | sed "s|^|-Winvalid-pch -include $eigen -include |"
     find rigless -name '*.h' | grep -vxFf "$scratch/detail" | grep -vxFf <(echo "$known") | sed 's/^/-include /'
-  } | xargs -P2 -L1 "${compile[@]}" -I. -x c++ -fsyntax-only /dev/null
+  } | xargs -P"$jobs" -L1 "${compile[@]}" -I. -x c++ -fsyntax-only /dev/null
 }
 
 scratch=$(mktemp -d)
+jobs=1 # what is said of the scratch tree is read: two at a time would break each other's lines
 trap 'rm -rf "$scratch"' EXIT
 tree=$scratch/include/rigless
 mkdir -p "$tree"/{math,detail}
@@ -46,4 +47,5 @@ for bad in 'bad.h inline std::string none() { return {}; }' 'bad.h #include "rig
   rm "$tree/${bad%% *}"
 done
 
+jobs=2
 compile_each "$(dirname "$0")/.."
