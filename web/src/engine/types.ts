@@ -348,8 +348,10 @@ export interface Engine {
    * with "superseded".
    */
   drag(targets: Float32Array, options: DragOptions): Promise<ShapedFrame>;
-  /** Solves the whole clip for the present mesh, controls and motion. */
-  /** `onLook`: is told frame 0 of a motion of minutes, nearly as it will be, before all of it is solved. */
+  /**
+   * Solves the whole clip for the present mesh, controls and motion. `onLook`: is told frame 0 of a motion of minutes, nearly as it
+   * will be, before all of it is solved.
+   */
   retarget(input: RetargetInput, options?: CallOptions, onLook?: (frame: ShapedFrame) => void): Promise<Performance>;
   /** Deforms frames of the last performance, in the order asked for, as each is ready. Depends on nothing but the inputs. */
   frames(order: ArrayLike<number>, onFrame: (frame: number, result: Frame) => void, options?: CallOptions): Promise<void>;

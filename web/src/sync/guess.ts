@@ -41,13 +41,14 @@ export function guessPoints(model: SolverModel, { up, facing, points }: ShapeAna
   const { scale } = stageFor(model, { file: "", ...mesh });
   const names = uniqueNames(points);
   const ids = names.map((name) => name.toLowerCase().replaceAll(" ", "-"));
+  const told = joints.some(({ part }) => part === "head" || part === "hand" || part === "foot"); // hips alone are no pairing
   const all = points.map((point, n): Point => {
     const [x, y, z] = model.positions.subarray(3 * point.vertex, 3 * point.vertex + 3);
     return {
       id: ids[n],
       name: names[n],
       position: [x, y, z],
-      joint: jointOf(point, joints)?.name ?? null,
+      joint: (told && jointOf(point, joints)?.name) || null,
       radius: Math.round((1000 * point.radius * scale) / STAGE_HEIGHT) / 1000,
       ...(TRUNK.has(point.role) ? { slab: true } : {}),
       ...(point.partner >= 0 ? { mirror: ids[point.partner] } : {}),

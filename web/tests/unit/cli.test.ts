@@ -371,7 +371,7 @@ describe("what cannot be done", () => {
   }
 
   const hop = readFileSync(join(web, "assets/motions/hop.bvh"));
-  const bean = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const bean = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
   it("names the file and what is wrong with it", async () => {
     expect(await refused({})).toBe("project.json: there is no such file.");

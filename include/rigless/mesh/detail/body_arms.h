@@ -3,7 +3,6 @@
 
 #include "rigless/mesh/detail/body_tips.h"
 #include "rigless/mesh/detail/geodesic.h"
-#include "rigless/mesh/detail/limb.h"
 
 namespace rigless::detail {
 
@@ -75,15 +74,14 @@ class ArmFinder {
     std::vector<std::pair<std::size_t, Vec3<S>>> arms;  // tip, base
     for (std::size_t t = 0; t < tips_.size(); ++t) {
       if (tips_[t].used || at(t).y() < S(0.2) || ratio(t) < S(0.75)) continue;
-      const Limb<S> limb = find_limb(body_.graph, tips_[t].node, S(0.7) * body_.tall);
+      const Limb<S> limb = body_.limb(tips_[t].node);
       if (limb.length > S(1.1) * limb.girth) arms.push_back({t, body_.stand(limb.base)});
     }
     for (std::size_t a = 0; a < arms.size(); ++a) {
       for (std::size_t b = a + 1; b < arms.size(); ++b) {
         const Vec3<S>&p = arms[a].second, &q = arms[b].second;
         if (std::abs(p.y() - q.y()) > S(0.1) || !(std::abs(p.x() - q.x()) > S(0.1))) continue;
-        tips_[arms[a].first].partner = static_cast<std::int32_t>(arms[b].first);
-        tips_[arms[b].first].partner = static_cast<std::int32_t>(arms[a].first);
+        pair_up(tips_, arms[a].first, arms[b].first);
         return static_cast<std::int32_t>(arms[a].first);
       }
     }
@@ -92,7 +90,7 @@ class ArmFinder {
 
   bool slender(std::size_t t) const {
     if (apart(t) < S(0.75)) return false;
-    const Limb<S> limb = find_limb(body_.graph, tips_[t].node, S(0.7) * body_.tall);
+    const Limb<S> limb = body_.limb(tips_[t].node);
     return limb.length > S(0.3) * body_.tall && limb.length > S(2) * limb.girth;
   }
 

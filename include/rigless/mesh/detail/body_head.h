@@ -2,7 +2,6 @@
 #pragma once
 
 #include "rigless/mesh/detail/body_tips.h"
-#include "rigless/mesh/detail/limb.h"
 
 namespace rigless::detail {
 
@@ -12,7 +11,7 @@ RIGLESS_COLD std::vector<char> find_tails(const StandingBody<S>& body, const std
   std::vector<char> tails(body.places.size(), 0);
   for (const Tip<S>& tip : tips) {
     if (tip.partner >= 0 || std::abs(body.place(tip.node).x()) > S(2) * body.middle) continue;
-    const Limb<S> limb = find_limb(body.graph, tip.node, S(0.7) * body.tall);
+    const Limb<S> limb = body.limb(tip.node);
     const Vec3<S> base = body.stand(limb.base);
     const bool behind = base.z() < body.low.z() + S(0.4) * (body.high.z() - body.low.z()) && base.z() < S(-0.1);
     if (!behind || std::abs(base.x()) > S(0.1) || limb.length < S(1.8) * limb.girth) continue;

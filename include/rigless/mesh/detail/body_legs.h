@@ -2,7 +2,6 @@
 #pragma once
 
 #include "rigless/mesh/detail/body_tips.h"
-#include "rigless/mesh/detail/limb.h"
 
 namespace rigless::detail {
 
@@ -21,19 +20,19 @@ class LegFinder {
     if (body_.lies() && feet.size() <= 4)
       feet.erase(std::remove_if(feet.begin(), feet.end(), [&](std::size_t t) { return !is_leg(t); }), feet.end());
     if (!feet.empty() && !(body_.lies() && feet.size() < 4)) return feet;
-    for (const auto& posed : {four_on_the_ground(), four_that_hang(), two_in_mid_stride()}) {
-      if (posed.empty() || posed.size() < feet.size()) continue;
-      for (std::size_t k = 0; k < posed.size(); ++k) tips_[posed[k]].partner = static_cast<std::int32_t>(posed[k ^ 1]);
-      return posed;
-    }
-    return feet;
+    std::vector<std::size_t> posed = four_on_the_ground();
+    if (posed.empty()) posed = four_that_hang();
+    if (posed.empty()) posed = two_in_mid_stride();
+    if (posed.empty()) return feet;
+    for (std::size_t k = 0; k < posed.size(); k += 2) pair_up(tips_, posed[k], posed[k + 1]);
+    return posed;
   }
 
  private:
   const Vec3<S>& at(std::size_t t) const { return body_.place(tips_[t].node); }
   bool stands(std::size_t t) const { return !tips_[t].used && tips_[t].partner >= 0 && at(t).y() < S(0.12); }
   std::size_t partner(std::size_t t) const { return to_size(tips_[t].partner); }
-  Limb<S> limb(std::size_t t) const { return find_limb(body_.graph, tips_[t].node, S(0.7) * body_.tall); }
+  Limb<S> limb(std::size_t t) const { return body_.limb(tips_[t].node); }
 
   // Of a body that lies: what rises to the trunk more than it goes aside, or is a claw's toe below it.
   bool is_leg(std::size_t t) const { return rises(t) || rises(partner(t)); }

@@ -49,6 +49,10 @@ class BodyReader {
     return found == named_.end() ? nullptr : &*found;
   }
   bool is_named(BodyRole role) const { return named(role) != nullptr; }
+  bool is_near(BodyRole role, const Vec3<S>& p, S within) const {
+    return std::any_of(named_.begin(), named_.end(),
+                       [&](const Landmark<S>& one) { return one.role == role && (p - one.position).norm() < within; });
+  }
 
   // Of two that belong together one is on each side, however near they are to the middle; those of a body in mid stride
   // may cross it, but begin well apart.
@@ -56,9 +60,7 @@ class BodyReader {
     const std::int32_t other = nth(tips_, tip.partner).node;
     S apart = body_.place(tip.node).x() - body_.place(other).x();
     if (!body_.symmetric()) {
-      const auto base = [&](std::int32_t node) {
-        return body_.stand(find_limb(body_.graph, node, S(0.7) * body_.tall).base).x();
-      };
+      const auto base = [&](std::int32_t node) { return body_.stand(body_.limb(node).base).x(); };
       const S bases = base(tip.node) - base(other);
       if (std::abs(bases) > S(0.1)) apart = bases;
     }
@@ -95,14 +97,9 @@ class BodyReader {
 
   // Of a wing that is one joint long: the most prominent tip, far away and no foot, of a limb that begins there.
   Tip<S>* end_of(const Landmark<S>& base) {
-    const auto is_foot = [&](const Vec3<S>& p) {
-      return std::any_of(named_.begin(), named_.end(), [&](const Landmark<S>& other) {
-        return other.role == BodyRole::foot && (p - other.position).norm() < S(0.12);
-      });
-    };
     for (Tip<S>& t : tips_) {
-      if (is_foot(body_.place(t.node))) continue;
-      const Limb<S> limb = find_limb(body_.graph, t.node, S(0.7) * body_.tall);
+      if (is_near(BodyRole::foot, body_.place(t.node), S(0.12))) continue;
+      const Limb<S> limb = body_.limb(t.node);
       const bool begins =
           (body_.stand(limb.base) - base.position).norm() < S(0.15) && limb.length > S(1.5) * limb.girth;
       const bool far = (body_.place(t.node) - base.position).norm() > S(0.3);
@@ -143,12 +140,7 @@ class BodyReader {
     if (legs_ == 2) add_near_forelegs(middle / S(2));
     swims_ = legs_ == 0 && (body_.lies() || is_named(BodyRole::tail));
     if (legs_ > 0 || swims_) return;
-    const auto is_hand = [&](const Vec3<S>& p) {
-      return std::any_of(named_.begin(), named_.end(), [&](const Landmark<S>& one) {
-        return one.role == BodyRole::hand && (p - one.position).norm() < S(0.3);
-      });
-    };
-    const auto is_base = [&](const Vec3<S>& p) { return !(p.y() > S(0.06)) && !is_hand(p); };
+    const auto is_base = [&](const Vec3<S>& p) { return !(p.y() > S(0.06)) && !is_near(BodyRole::hand, p, S(0.3)); };
     if (std::none_of(body_.places.begin(), body_.places.end(), is_base)) return;  // it hangs in the air by its hands
     for (const S sign : {S(1), S(-1)})
       add(body_.best_node(
@@ -271,7 +263,7 @@ class BodyReader {
     S z = 0, count = 0;
     for (const BodyPoint<S>& p : points_) {
       if (p.role != legs) continue;
-      const Vec3<S> base = body_.stand(find_limb(body_.graph, p.vertex, S(0.7) * body_.tall).base);
+      const Vec3<S> base = body_.stand(body_.limb(p.vertex).base);
       z += legs_ > 4 ? base.z() : body_.place(p.vertex).z();
       count += S(1);
     }
@@ -290,7 +282,7 @@ class BodyReader {
       for (std::size_t n = 0; n < ends; ++n) {
         const BodyPoint<S>& end = points_[n];
         if (end.role != role || legs_ > 2) continue;
-        const Limb<S> limb = find_limb(body_.graph, end.vertex, S(0.7) * body_.tall);
+        const Limb<S> limb = body_.limb(end.vertex);
         if (limb.length > limb.girth && limb.length > S(0.2) * body_.tall)
           bends.push_back({body_.nearest_node(limb.middle), end.side});
       }

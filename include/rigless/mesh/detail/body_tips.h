@@ -14,6 +14,13 @@ struct Tip {
   bool used;
 };
 
+// Makes two of them each other's.
+template <class S>
+void pair_up(std::vector<Tip<S>>& tips, std::size_t a, std::size_t b) {
+  tips[a].partner = static_cast<std::int32_t>(b);
+  tips[b].partner = static_cast<std::int32_t>(a);
+}
+
 // Both on the ground, on one side, and no farther apart than a foot of a human is long for his height.
 template <class S>
 bool same_foot(const StandingBody<S>& body, std::int32_t a, std::int32_t b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rigless/mesh/detail/geodesic.h"
+#include "rigless/mesh/detail/limb.h"
 #include "rigless/mesh/detail/posture.h"
 #include "rigless/mesh/detail/surface_graph.h"
 
@@ -80,6 +81,9 @@ struct StandingBody {
         nearest = i;
     return static_cast<std::int32_t>(nearest);
   }
+
+  // That which ends at a node, up to seven tenths of the body's height long. Allocates.
+  Limb<S> limb(std::int32_t node) const { return find_limb(graph, node, S(0.7) * tall); }
 
   // How far a limb reaches before it is a tube: there what lies within a distance grows no faster than it.
   S thickness(std::int32_t node) const {
